@@ -1,0 +1,305 @@
+//! What a decision was made of: every number between the observation and the action.
+//!
+//! These are plain data, filled while the learner computes; nothing is recomputed for display.
+
+use serde::{Deserialize, Serialize};
+
+use crate::control::ReflexTrace;
+use crate::geometry::{Pose, Vec2};
+use crate::robot::Contact;
+
+/// Number of a neuron in a session: unique, never used again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct NeuronId(pub u32);
+
+/// The immediate reinforcement and its two parts, section 5.5.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reinforcement {
+    /// Safety part `f₁` in `[-3, 0]`, Eq. (5.6).
+    pub safety: f64,
+    /// Goal part `f₂` in `[-1, 0]`, Eq. (5.7).
+    pub goal: f64,
+    /// The close flag of Eq. (5.6): some sonar read less than `d_c`.
+    pub close: bool,
+}
+
+impl Reinforcement {
+    /// `r = f₁ + f₂`.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.safety + self.goal
+    }
+}
+
+/// Why a neuron was added, section 5.7 and 5.9.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum BirthCause {
+    /// The region's network was empty.
+    Empty,
+    /// Distance-driven: the winner was farther than ς, Eq. (5.10).
+    Distance {
+        /// Distance to the nearest centre, in the metric of the novelty setting.
+        distance: f64,
+    },
+    /// Error-driven: the TD error of Eq. (5.19) exceeded Δ.
+    Error {
+        /// The TD error.
+        delta: f64,
+    },
+    /// Forced after a rescue (setting `learner.after_rescue = new-neuron`).
+    Rescue,
+}
+
+/// Where a neuron's first prototypical action came from.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Origin {
+    /// The fuzzy reflex was asked (the thesis).
+    Reflex,
+    /// Copied from the nearest neuron of the same network (addition D2).
+    Inherited {
+        /// The neuron copied from.
+        parent: NeuronId,
+    },
+}
+
+/// A neuron's birth certificate.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Birth {
+    /// Trial of birth, from 1.
+    pub trial: u32,
+    /// Step within the trial, from 1.
+    pub step: u32,
+    /// Tick of the session, from 1.
+    pub tick: u64,
+    /// Why it was added.
+    pub cause: BirthCause,
+    /// Where its first action came from.
+    pub origin: Origin,
+    /// Believed pose of the robot at that moment.
+    pub pose: Pose,
+}
+
+/// Who chose the action of a tick.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ActionSource {
+    /// The winner's prototypical action and the stochastic unit, Eq. (5.15).
+    Network,
+    /// The bare reflex, because learning is off.
+    Reflex,
+    /// A reflex step after a rescue (addition D5).
+    AfterRescue,
+}
+
+/// The stochastic unit at work, Eq. (5.12)-(5.16). Degrees, as the thesis counts them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Exploration {
+    /// `T(n)`, degrees.
+    pub temperature_deg: f64,
+    /// `μ`, the mean of the winner, degrees.
+    pub mean_deg: f64,
+    /// `σ = T(n) / (1 + exp(u))`, degrees.
+    pub sigma_deg: f64,
+    /// Standard deviation the draw really used, degrees.
+    pub deviation_deg: f64,
+    /// The draw `ξ` before clipping, degrees.
+    pub drawn_deg: f64,
+    /// `ξ` after clipping to `[-T, T]`, degrees.
+    pub xi_deg: f64,
+}
+
+/// The adaptation of the past neuron, section 5.9.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Adaptation {
+    /// There is no past in this trial yet.
+    NoPast,
+    /// Temporal-difference learning is switched off.
+    Off,
+    /// The past or the present neuron has no utility yet (section 5.9, Exceptions).
+    Pending {
+        /// The past neuron.
+        past: NeuronId,
+    },
+    /// The past situation was split off because δ > Δ (error-driven growth).
+    Split {
+        /// The past neuron.
+        past: NeuronId,
+        /// The TD error, Eq. (5.19).
+        delta: f64,
+        /// The neuron added at the past situation.
+        added: NeuronId,
+    },
+    /// Utility, mean and centre of the past neuron were adapted.
+    Updated(Update),
+}
+
+/// The numbers of one adaptation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Update {
+    /// The past neuron `i`.
+    pub past: NeuronId,
+    /// `r(t+1)`.
+    pub reinforcement: f64,
+    /// `u_j` of the present neuron.
+    pub present_utility: f64,
+    /// `u_i` before.
+    pub utility_before: f64,
+    /// `δ(t+1)`, Eq. (5.19).
+    pub delta: f64,
+    /// `η_r` or `η_p`, Eq. (5.20).
+    pub utility_rate: f64,
+    /// `u_i` after.
+    pub utility_after: f64,
+    /// Characteristic eligibility, Eq. (5.23), per degree; 0 when the mean is not learned this way.
+    pub eligibility: f64,
+    /// `μ_i` before, degrees.
+    pub mean_before_deg: f64,
+    /// `μ_i` after, Eq. (5.24), degrees.
+    pub mean_after_deg: f64,
+    /// How far the centre moved, Eq. (5.25), in input units.
+    pub centre_shift: f64,
+}
+
+/// The winner of the competition in the region's network, Eq. (5.10).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Winner {
+    /// The nearest neuron.
+    pub neuron: NeuronId,
+    /// `‖x − c‖`, input units.
+    pub distance: f64,
+}
+
+/// Everything about one control step: what was sensed, how the past was adapted, what was decided,
+/// and what came of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tick {
+    /// Number of this tick in the session, from 1.
+    pub tick: u64,
+    /// Trial, from 1.
+    pub trial: u32,
+    /// Step within the trial, from 1.
+    pub step: u32,
+    /// True pose when sensing.
+    pub true_pose: Pose,
+    /// Believed pose (odometry) when sensing.
+    pub pose: Pose,
+    /// Sonar readings, metres from the shell, sonar `i` at `15°·i` counter-clockwise.
+    pub sonar_m: [f64; 24],
+    /// Strongest infrared reflectance, percent of full reflection.
+    pub reflectance_pct: f64,
+    /// Distance to the goal as believed, metres.
+    pub goal_distance_m: f64,
+    /// Bearing of the goal from the heading as believed, radians.
+    pub goal_bearing_rad: f64,
+    /// Index of the region the robot believes to be in.
+    pub region: usize,
+    /// The nearest neuron of the region's network, if it has any.
+    pub winner: Option<Winner>,
+    /// The neuron added at this situation, if any.
+    pub born: Option<NeuronId>,
+    /// The reflex, when it was asked.
+    pub reflex: Option<ReflexTrace>,
+    /// What happened to the past neuron.
+    pub adaptation: Adaptation,
+    /// The neuron in charge; none when learning is off.
+    pub neuron: Option<NeuronId>,
+    /// Its prototypical action `p`, radians, in the frame of the setting `learner.action_frame`.
+    pub prototypical_rad: f64,
+    /// Its utility `u`; none while it is pending.
+    pub utility: Option<f64>,
+    /// The stochastic unit.
+    pub exploration: Exploration,
+    /// Who chose.
+    pub source: ActionSource,
+    /// `α`, radians, in the frame of the setting `learner.action_frame`, Eq. (5.15).
+    pub action_rad: f64,
+    /// Rotation the robot executes before it advances, radians.
+    pub rotation_rad: f64,
+    /// What came of it.
+    pub outcome: Outcome,
+    /// Neurons in all networks after this tick.
+    pub neurons: usize,
+    /// Sum of reinforcements of this trial so far.
+    pub total_reinforcement: f64,
+}
+
+/// The consequence of an action.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outcome {
+    /// True pose after the motion and any rescue.
+    pub true_pose: Pose,
+    /// Believed pose after it.
+    pub pose: Pose,
+    /// Collision, if there was one.
+    pub contact: Contact,
+    /// Way backed off during the rescue, metres.
+    pub backed_m: f64,
+    /// Believed displacement, metres.
+    pub moved: Vec2,
+    /// `r(t+1)` and its parts.
+    pub reinforcement: Reinforcement,
+    /// The robot is at the goal.
+    pub reached_goal: bool,
+}
+
+/// The result of one trial, and the row of the trial table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrialRecord {
+    /// Trial, from 1.
+    pub trial: u32,
+    /// Control steps taken.
+    pub steps: u32,
+    /// `R(n)`, Eq. (5.27).
+    pub total_reinforcement: f64,
+    /// Share of `R(n)` from Eq. (5.6).
+    pub safety: f64,
+    /// Share of `R(n)` from Eq. (5.7).
+    pub goal: f64,
+    /// Neurons after the trial.
+    pub neurons: usize,
+    /// Neurons added during the trial.
+    pub born: u32,
+    /// Neurons deleted at its end (addition D3).
+    pub forgotten: u32,
+    /// Real and virtual collisions.
+    pub collisions: u32,
+    /// The goal was reached; otherwise the trial was capped.
+    pub reached_goal: bool,
+    /// `R(n)` exceeded that of every earlier successful trial.
+    pub record: bool,
+    /// `T(n)` during the trial, degrees.
+    pub temperature_deg: f64,
+    /// Length of the true path, metres.
+    pub path_m: f64,
+    /// Steps taken in each region, in the world's order.
+    pub region_steps: Vec<u32>,
+    /// First tick of the trial.
+    pub first_tick: u64,
+    /// Last tick of the trial.
+    pub last_tick: u64,
+}
+
+/// A change made to a neuron at the end of a trial.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Change {
+    /// The neuron.
+    pub neuron: NeuronId,
+    /// Value before.
+    pub before: f64,
+    /// Value after.
+    pub after: f64,
+}
+
+/// What the learner did when a trial ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrialEnd {
+    /// The trial's result.
+    pub record: TrialRecord,
+    /// Utilities set by back-tracking, Eq. (5.26).
+    pub backed_up: Vec<Change>,
+    /// Prototypical actions replaced, Eq. (5.28), radians.
+    pub replaced: Vec<Change>,
+    /// Means set by the band proposal (addition A1), degrees.
+    pub proposed: Vec<Change>,
+    /// Neurons deleted (addition D3).
+    pub forgotten: Vec<NeuronId>,
+}

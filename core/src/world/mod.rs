@@ -1,0 +1,5 @@
+//! Worlds: walls, regions, home and goal.
+
+/// A world.
+#[derive(Clone, Debug, PartialEq)]
+pub struct World {}

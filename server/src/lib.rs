@@ -1,0 +1,6 @@
+//! Sonarium's server: sessions, storage, HTTP, WebSocket, rendering, reports and the command line.
+
+pub mod render;
+pub mod report;
+pub mod store;
+pub mod wire;

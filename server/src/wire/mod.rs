@@ -1,0 +1,14 @@
+//! What travels: the JSON of the HTTP interface, of the stream, of the log and of the command line.
+//!
+//! Angles are degrees and lengths metres here; `core` works in radians. The page's TypeScript is
+//! generated from these types, and a test fails when it is stale.
+
+mod experiment;
+mod session;
+mod stream;
+mod tick;
+
+pub use experiment::*;
+pub use session::*;
+pub use stream::*;
+pub use tick::*;

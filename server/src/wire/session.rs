@@ -1,0 +1,252 @@
+//! Sessions: what is asked for, what is answered.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use ts_rs::TS;
+use utoipa::ToSchema;
+
+/// The state of a session. It is never a lie: after a crash it reads `interrupted`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS, ToSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum State {
+    /// Created, or asked to start while all cores are busy.
+    Queued,
+    /// Loading its world or checkpoint.
+    Starting,
+    /// Taking control steps.
+    Running,
+    /// Held between two ticks.
+    Paused,
+    /// Writing its last checkpoint and closing its log.
+    Stopping,
+    /// Ended by an operator before its last trial.
+    Stopped,
+    /// All trials done.
+    Finished,
+    /// Could not go on; the reason is given.
+    Failed,
+    /// The server ended while it ran; it can be resumed from its last checkpoint.
+    Interrupted,
+}
+
+/// Pace of a session.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
+#[serde(untagged)]
+pub enum Speed {
+    /// Control steps a second, 0.1 to 10000.
+    TicksPerSecond(f64),
+    /// As fast as it goes.
+    Named(NamedSpeed),
+}
+
+/// A pace with a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS, ToSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum NamedSpeed {
+    /// As fast as it goes.
+    Max,
+}
+
+/// Body of `POST /api/v1/sessions`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NewSession {
+    /// Name of the experiment.
+    pub experiment: String,
+    /// Seed, 0 to 2⁵³ − 1; drawn when missing, and always shown.
+    #[serde(default)]
+    #[ts(optional)]
+    pub seed: Option<u64>,
+    /// Settings that differ from the preset's; `preset` and `world` are settings too.
+    #[serde(default)]
+    #[ts(optional, type = "Record<string, number | string | boolean>")]
+    #[schema(value_type = Object)]
+    pub settings: BTreeMap<String, Value>,
+    /// Number of trials.
+    #[serde(default)]
+    #[ts(optional)]
+    pub trials: Option<u32>,
+    /// Pace; 30 ticks a second when missing.
+    #[serde(default)]
+    #[ts(optional)]
+    pub speed: Option<Speed>,
+}
+
+/// A session.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
+pub struct Session {
+    /// Identifier.
+    pub id: String,
+    /// Name of the experiment.
+    pub experiment: String,
+    /// State.
+    pub state: State,
+    /// Why it failed or was interrupted.
+    pub reason: Option<String>,
+    /// Seed.
+    pub seed: u64,
+    /// Preset the settings started from.
+    pub preset: String,
+    /// World it runs in.
+    pub world: String,
+    /// Every setting with its value, `preset` and `world` included.
+    #[ts(type = "Record<string, number | string | boolean>")]
+    #[schema(value_type = Object)]
+    pub settings: BTreeMap<String, Value>,
+    /// Keys whose value is not the default's.
+    pub changed: Vec<String>,
+    /// Trials asked for.
+    pub trials: u32,
+    /// Trials done.
+    pub trials_done: u32,
+    /// Trials that reached the goal.
+    pub reached: u32,
+    /// Best total reinforcement of a trial that reached the goal.
+    pub best: Option<f64>,
+    /// Last tick.
+    pub tick: u64,
+    /// Pace.
+    pub speed: Speed,
+    /// Program version and commit it runs on.
+    pub build: String,
+    /// When it was created, RFC 3339, UTC.
+    pub created_at: String,
+    /// When it last changed state, RFC 3339, UTC.
+    pub changed_at: String,
+    /// Controls that would be accepted now: `start`, `pause`, `resume`, `step`, `stop`, `reset`.
+    pub controls: Vec<String>,
+}
+
+/// Answer to a control: the state it led to and the tick at which it took effect.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS, ToSchema)]
+pub struct Ack {
+    /// State after the control.
+    pub state: State,
+    /// Last tick done when it took effect.
+    pub tick: u64,
+}
+
+/// Body of `POST sessions/{id}/step`; may be left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StepRequest {
+    /// How far to go before holding again.
+    #[serde(default)]
+    pub unit: StepUnit,
+}
+
+/// How far one step goes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, ToSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum StepUnit {
+    /// One control step.
+    #[default]
+    Tick,
+    /// To the end of the trial.
+    Trial,
+}
+
+/// Body of `POST sessions/{id}/speed`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SpeedRequest {
+    /// The new pace.
+    pub speed: Speed,
+}
+
+/// One trial: a row of the trial table and a point of each learning curve.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
+pub struct Trial {
+    /// Trial, from 1.
+    pub trial: u32,
+    /// Control steps taken.
+    pub steps: u32,
+    /// Total reinforcement R(n), Eq. (5.27).
+    pub total_reinforcement: f64,
+    /// Share of R(n) from the safety part, Eq. (5.6).
+    pub safety: f64,
+    /// Share of R(n) from the goal part, Eq. (5.7).
+    pub goal: f64,
+    /// Neurons after the trial.
+    pub neurons: u32,
+    /// Neurons added.
+    pub born: u32,
+    /// Neurons deleted at its end.
+    pub forgotten: u32,
+    /// Real and virtual collisions.
+    pub collisions: u32,
+    /// The goal was reached; otherwise the trial was capped.
+    pub reached_goal: bool,
+    /// It beat every earlier successful trial.
+    pub record: bool,
+    /// Temperature T(n), degrees.
+    pub temperature_deg: f64,
+    /// Length of the true path, metres.
+    pub path_m: f64,
+    /// Steps taken in each region, by the region's name.
+    pub region_steps: BTreeMap<String, u32>,
+    /// First tick.
+    pub first_tick: u64,
+    /// Last tick.
+    pub last_tick: u64,
+}
+
+/// Summary over trials.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
+pub struct Summary {
+    /// Trials done.
+    pub trials: u32,
+    /// Trials that reached the goal.
+    pub reached: u32,
+    /// Best total reinforcement of a successful trial.
+    pub best_total_reinforcement: Option<f64>,
+    /// The trial that holds it.
+    pub best_trial: Option<u32>,
+    /// Steps of the last trial.
+    pub last_steps: Option<u32>,
+    /// Total reinforcement of the last trial.
+    pub last_total_reinforcement: Option<f64>,
+    /// Neurons after the last trial.
+    pub neurons: u32,
+    /// Collisions over all trials.
+    pub collisions: u32,
+    /// Control steps over all trials.
+    pub steps: u64,
+}
+
+/// The whole result of a run: what `run --json` prints and `report.json` starts with.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
+pub struct RunResult {
+    /// Name of the experiment.
+    pub experiment: String,
+    /// Seed.
+    pub seed: u64,
+    /// Program version and commit.
+    pub build: String,
+    /// Every setting with its value.
+    #[ts(type = "Record<string, number | string | boolean>")]
+    #[schema(value_type = Object)]
+    pub settings: BTreeMap<String, Value>,
+    /// The trials.
+    pub trials: Vec<Trial>,
+    /// Their summary.
+    pub summary: Summary,
+}
+
+/// RFC 9457 problem details.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS, ToSchema)]
+pub struct Problem {
+    /// What kind of problem, as a relative reference, e.g. `/problems/out-of-range`.
+    #[serde(rename = "type")]
+    pub kind: String,
+    /// What is wrong, in a few words.
+    pub title: String,
+    /// HTTP status.
+    pub status: u16,
+    /// What is wrong here, and what would be right.
+    pub detail: String,
+    /// The field at fault, e.g. `settings.sonar.noise`.
+    pub field: Option<String>,
+}

@@ -1,0 +1,224 @@
+//! The stream: what a page and the server say to each other over the WebSocket.
+
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+use super::{NeuronView, Session, TickView, Trial};
+
+/// Version of the stream, in `hello`.
+pub const STREAM_VERSION: u32 = 1;
+
+/// A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`);
+/// `tick`, `depths` and `neurons` are samples of the present and repeat the number of the last event.
+/// Arena pictures are binary frames: whole PNG files.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS)]
+#[serde(tag = "type", rename_all = "lowercase")]
+pub enum ServerMessage {
+    /// The first message: state and history.
+    Hello(Box<Hello>),
+    /// State, speed or progress changed.
+    State {
+        /// Event number.
+        seq: u64,
+        /// The session now.
+        session: Session,
+    },
+    /// The present control step.
+    Tick {
+        /// Number of the last event.
+        seq: u64,
+        /// The step.
+        tick: Box<TickView>,
+    },
+    /// The 24 sonar readings of the present step.
+    Depths {
+        /// Number of the last event.
+        seq: u64,
+        /// Tick they belong to.
+        tick: u64,
+        /// Metres.
+        sonar_m: Vec<f64>,
+    },
+    /// All neurons, without their centres.
+    Neurons {
+        /// Number of the last event.
+        seq: u64,
+        /// Tick they belong to.
+        tick: u64,
+        /// The neurons.
+        neurons: Vec<NeuronView>,
+    },
+    /// Trials that ended.
+    Trial {
+        /// Event number.
+        seq: u64,
+        /// One or more, in order.
+        trials: Vec<Trial>,
+    },
+    /// New points of the learning curves, one per trial that ended.
+    Curve {
+        /// Event number.
+        seq: u64,
+        /// One or more, in order.
+        points: Vec<CurvePoint>,
+    },
+    /// New lines of the event log.
+    Log {
+        /// Event number.
+        seq: u64,
+        /// One or more, in order.
+        entries: Vec<LogEntry>,
+    },
+    /// Events between `since` and the first still held are lost; a `hello` with the whole history follows.
+    Gap {
+        /// What the client had.
+        since: u64,
+        /// Oldest event still held.
+        oldest: u64,
+    },
+    /// The client's last message could not be used; the connection stays.
+    Error {
+        /// What was wrong and what would be right.
+        message: String,
+        /// The field at fault.
+        field: Option<String>,
+    },
+}
+
+/// The history a late page needs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS)]
+pub struct Hello {
+    /// [`STREAM_VERSION`].
+    pub version: u32,
+    /// Number of the last event contained.
+    pub seq: u64,
+    /// The session.
+    pub session: Session,
+    /// The world it runs in.
+    pub world: WorldView,
+    /// All trials so far.
+    pub trials: Vec<Trial>,
+    /// All neurons, without their centres.
+    pub neurons: Vec<NeuronView>,
+    /// The last control step, if there was one.
+    pub tick: Option<Box<TickView>>,
+    /// The event log, newest last, at most 500 lines.
+    pub log: Vec<LogEntry>,
+}
+
+/// A world as the page needs it for its own drawings.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS)]
+pub struct WorldView {
+    /// Name.
+    pub name: String,
+    /// Title for people.
+    pub title: String,
+    /// Least and greatest x and y of all walls, metres: `[x0, y0, x1, y1]`.
+    pub bounds_m: [f64; 4],
+    /// Walls as segments `[x0, y0, x1, y1]`, metres.
+    pub walls_m: Vec<[f64; 4]>,
+    /// Names of the regions, in their fixed order.
+    pub regions: Vec<String>,
+    /// Where every trial starts.
+    pub home: super::PoseView,
+    /// Centre of the goal, metres.
+    pub goal_m: [f64; 2],
+    /// Radius of the goal, metres.
+    pub goal_radius_m: f64,
+    /// Radius of the robot, metres.
+    pub robot_radius_m: f64,
+    /// Range of the sonars, metres.
+    pub sonar_range_m: f64,
+}
+
+/// One point of each learning curve.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS)]
+pub struct CurvePoint {
+    /// Trial, from 1.
+    pub trial: u32,
+    /// Neurons after it.
+    pub neurons: u32,
+    /// Steps taken.
+    pub steps: u32,
+    /// R(n).
+    pub total_reinforcement: f64,
+    /// A capped trial has no defined steps or R(n) (section 5.11).
+    pub reached_goal: bool,
+}
+
+/// A line of the event log.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, utoipa::ToSchema)]
+pub struct LogEntry {
+    /// When, RFC 3339, UTC.
+    pub at: String,
+    /// Last tick done.
+    pub tick: u64,
+    /// `operator`, `session`, `trial` or `warning`.
+    pub kind: String,
+    /// What happened, a sentence.
+    pub text: String,
+}
+
+/// A message from a client.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS)]
+#[serde(tag = "type", rename_all = "lowercase", deny_unknown_fields)]
+pub enum ClientMessage {
+    /// What to send and how often. Events are always sent.
+    Subscribe {
+        /// Most `tick` messages a second, 0 (none) to 60.
+        #[serde(default)]
+        #[ts(optional)]
+        tick: Option<f64>,
+        /// Most `depths` messages a second, 0 to 60.
+        #[serde(default)]
+        #[ts(optional)]
+        depths: Option<f64>,
+        /// Most `neurons` messages a second, 0 to 30.
+        #[serde(default)]
+        #[ts(optional)]
+        neurons: Option<f64>,
+        /// Arena pictures.
+        #[serde(default)]
+        #[ts(optional)]
+        arena: Option<ArenaRequest>,
+    },
+}
+
+/// What arena pictures to send.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS)]
+#[serde(deny_unknown_fields)]
+pub struct ArenaRequest {
+    /// Most pictures a second, 0 (none) to 30.
+    pub rate: f64,
+    /// Pixels, 64 to 2048.
+    pub width: u32,
+    /// Pixels, 64 to 2048.
+    pub height: u32,
+    /// `light` or `dark`.
+    pub theme: ThemeName,
+}
+
+/// Colour theme of a picture.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    Hash,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    TS,
+    utoipa::ToSchema,
+)]
+#[serde(rename_all = "lowercase")]
+pub enum ThemeName {
+    /// Dark strokes on a light ground; also for print.
+    #[default]
+    Light,
+    /// Light strokes on a dark ground.
+    Dark,
+}
