@@ -92,14 +92,14 @@ impl Chart<'_> {
         let decimals = y.decimals();
         html! {
             @for tick in &y.ticks {
-                line class="grid" x1=(LEFT) x2=(RIGHT) y1=(y.place(*tick)) y2=(y.place(*tick));
+                line class="grid" x1=(LEFT) x2=(RIGHT) y1=(y.place(*tick)) y2=(y.place(*tick)) {}
                 text x=(LEFT - 6.0) y=(y.place(*tick)) dy="0.35em" text-anchor="end" {
                     (fixed(*tick, decimals))
                 }
             }
-            line class="axis" x1=(LEFT) x2=(RIGHT) y1=(BOTTOM) y2=(BOTTOM);
+            line class="axis" x1=(LEFT) x2=(RIGHT) y1=(BOTTOM) y2=(BOTTOM) {}
             @for tick in &x.ticks {
-                line class="axis" x1=(x.place(*tick)) x2=(x.place(*tick)) y1=(BOTTOM) y2=(BOTTOM + 4.0);
+                line class="axis" x1=(x.place(*tick)) x2=(x.place(*tick)) y1=(BOTTOM) y2=(BOTTOM + 4.0) {}
                 text x=(x.place(*tick)) y=(BOTTOM + 18.0) text-anchor="middle" { (fixed(*tick, 0)) }
             }
             text x=((LEFT + RIGHT) / 2.0) y=(HEIGHT - 6.0) text-anchor="middle" { (self.x_name) }
@@ -116,7 +116,7 @@ impl Chart<'_> {
                             li {
                                 svg viewBox="0 0 26 12" aria-hidden="true" {
                                     g class=(SERIES_CLASSES[index.min(1)]) {
-                                        path class="line" d="M1 6H25";
+                                        path class="line" d="M1 6H25" {}
                                     }
                                 }
                                 (series.name)
@@ -161,9 +161,9 @@ impl Series<'_> {
         let dots_everywhere = self.points.len() <= MOST_DOTS;
         html! {
             @for run in &runs {
-                @if run.len() > 1 { path class="line" d=(path(run)); }
+                @if run.len() > 1 { path class="line" d=(path(run)) {} }
                 @if dots_everywhere || run.len() == 1 {
-                    @for (x, y) in run { circle cx=(x) cy=(y) r="2.5"; }
+                    @for (x, y) in run { circle cx=(x) cy=(y) r="2.5" {} }
                 }
             }
         }
@@ -192,7 +192,7 @@ fn cross(x: f64, y: f64) -> Markup {
     let strokes = format!(
         "M{left:.1} {top:.1}L{right:.1} {bottom:.1}M{left:.1} {bottom:.1}L{right:.1} {top:.1}"
     );
-    html! { path class="mark" d=(strokes); }
+    html! { path class="mark" d=(strokes) {} }
 }
 
 fn path(run: &[(f64, f64)]) -> String {

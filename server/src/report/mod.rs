@@ -84,3 +84,6 @@ pub struct Picture {
     /// A whole PNG file.
     pub png: Vec<u8>,
 }
+
+#[cfg(test)]
+mod tests;
