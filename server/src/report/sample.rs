@@ -301,7 +301,9 @@ fn tick(trial: &Trial, step: u32) -> TickView {
         step,
         true_pose: pose,
         pose,
-        sonar_m: (0..24).map(|sonar| 0.3 + 0.11 * f64::from((sonar * 7 + step) % 24)).collect(),
+        sonar_m: (0..24)
+            .map(|sonar| 0.13 + (0.9 + 0.1 * f64::from(sonar)) * (0.3 * turn).sin().powi(2))
+            .collect(),
         reflectance_pct: 12.5,
         goal_distance_m: 4.4 - 0.14 * turn,
         goal_bearing_deg: -26.5,
