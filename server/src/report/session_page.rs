@@ -43,7 +43,6 @@ pub fn html(report: &SessionReport) -> String {
 
 fn heading(report: &SessionReport) -> Markup {
     let session = &report.session;
-    let when = format!("{} to {}", time_text(&session.created_at), time_text(&session.changed_at));
     html! {
         header {
             h1 { (report.title) ", seed " (session.seed) }
@@ -55,8 +54,8 @@ fn heading(report: &SessionReport) -> Markup {
                 ("Preset", html! { (report.preset.title) " (" code { (session.preset) } ")" }),
                 ("World", html! { (report.world.title) " (" code { (session.world) } ")" }),
                 ("Build", html! { code { (session.build) } }),
-                ("When", html! { (when) }),
-                ("Changed settings", html! { (session.changed.len()) " of " (report.settings.len()) }),
+                ("Created", html! { (time_text(&session.created_at)) }),
+                ("Last change of state", html! { (time_text(&session.changed_at)) }),
             ]))
         }
         @if let Some(reason) = &session.reason { p { b { "Why: " } (reason) } }

@@ -119,7 +119,9 @@ pub(super) fn settings_table(report: &SessionReport) -> Markup {
             }
         }
     };
-    table("settings", "Every setting of this run", &HEADINGS, rows)
+    let (changed, all) = (report.session.changed.len(), report.session.settings.len());
+    let caption = format!("Every setting of this run; {changed} of {all} changed from the default");
+    table("settings", &caption, &HEADINGS, rows)
 }
 
 fn default_mark(info: Option<&SettingInfo>, value: &serde_json::Value) -> Markup {

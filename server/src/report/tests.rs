@@ -70,7 +70,7 @@ fn the_session_page_is_whole_and_has_its_parts() {
 
 #[test]
 fn the_trial_page_is_whole_and_has_its_parts() {
-    let report = sample::trial_report();
+    let report = sample_trial::trial_report();
     let page = trial_html(&report);
     let tags = open_tags(&page);
     assert_eq!(count(&tags, "h1"), 1);
@@ -84,7 +84,7 @@ fn the_trial_page_is_whole_and_has_its_parts() {
 
 #[test]
 fn pages_need_nothing_from_elsewhere_and_run_nothing() {
-    let pages = [html(&sample::session_report()), trial_html(&sample::trial_report())];
+    let pages = [html(&sample::session_report()), trial_html(&sample_trial::trial_report())];
     for page in pages {
         for word in ["http", "//", "<script", "<link", "url(", "@import", "onload"] {
             let pictures_out = page
@@ -120,7 +120,7 @@ fn hostile_words_stay_words() {
     assert_eq!(count(&open_tags(&page), "img"), 2);
     assert!(page.contains("&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&amp;"));
 
-    let mut report = sample::trial_report();
+    let mut report = sample_trial::trial_report();
     report.title = HOSTILE.into();
     report.ticks[0].region = HOSTILE.into();
     report.ticks[0].source = HOSTILE.into();
@@ -154,7 +154,7 @@ fn a_session_without_trials_still_has_its_report() {
     open_tags(&page);
     assert!(page.contains("No trial has ended yet"));
     assert_eq!(csv(&report).lines().count(), 1);
-    let mut trial = sample::trial_report();
+    let mut trial = sample_trial::trial_report();
     trial.ticks.clear();
     trial.picture = None;
     open_tags(&trial_html(&trial));
@@ -179,7 +179,7 @@ fn trials_csv_reads_back_to_the_same_bits() {
 
 #[test]
 fn trial_csv_reads_back_to_the_same_bits() {
-    let report = sample::trial_report();
+    let report = sample_trial::trial_report();
     let text = trial_csv(&report);
     let table = cells(&text);
     assert_eq!(table.len(), 1 + 29);
@@ -195,7 +195,7 @@ fn trial_csv_reads_back_to_the_same_bits() {
 
 #[test]
 fn csv_quotes_what_rfc_4180_says() {
-    let mut report = sample::trial_report();
+    let mut report = sample_trial::trial_report();
     report.ticks.truncate(1);
     report.ticks[0].region = "a \"b\", c\r\nd".into();
     assert!(trial_csv(&report).contains(",\"a \"\"b\"\", c\r\nd\","));
@@ -223,7 +223,7 @@ fn session_json_starts_with_the_contract_and_keeps_all_bits() {
 
 #[test]
 fn trial_json_holds_the_record_all_ticks_and_the_end() {
-    let report = sample::trial_report();
+    let report = sample_trial::trial_report();
     let value: Value = serde_json::from_str(&trial_json(&report)).expect("JSON");
     let ticks: Vec<TickView> = serde_json::from_value(value["ticks"].clone()).expect("ticks");
     let end: TrialEndView = serde_json::from_value(value["end"].clone()).expect("the end");
@@ -234,7 +234,7 @@ fn trial_json_holds_the_record_all_ticks_and_the_end() {
 
 fn archive(report: &SessionReport) -> ::zip::ZipArchive<Cursor<Vec<u8>>> {
     // Trial 2 is lost; every other one is answered with the ticks of the sample.
-    let trial = |number: u32| Ok((number != 2).then(sample::trial_report));
+    let trial = |number: u32| Ok((number != 2).then(sample_trial::trial_report));
     let mut log: &[u8] = b"log";
     let bytes = zip(report, trial, Some(&mut log), Cursor::new(Vec::new())).expect("an archive");
     ::zip::ZipArchive::new(bytes).expect("an archive that opens")
@@ -302,7 +302,7 @@ fn sample_files_can_be_looked_at() {
     let Some(folder) = std::env::var_os("SONARIUM_SAMPLE_DIR").map(std::path::PathBuf::from) else {
         return;
     };
-    let (session, trial) = (sample::session_report(), sample::trial_report());
+    let (session, trial) = (sample::session_report(), sample_trial::trial_report());
     let files = [
         ("report.html", html(&session)),
         ("report.json", json(&session)),
