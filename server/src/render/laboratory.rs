@@ -77,17 +77,20 @@ fn trial(number: f64, wobble_m: f64) -> Vec<[f64; 2]> {
 }
 
 fn neuron(number: usize, of: usize) -> NeuronMark {
-    let path = trial(number as f64 * 0.37, 0.28);
-    let place = (number * 7) % path.len();
-    let at_m = path[place];
-    let next = path[(place + 2).min(path.len() - 1)];
-    let turn = 0.5 * (number as f64).sin();
-    let pending = number % 9 == 4;
+    // Places spread evenly over the way by the golden ratio, and around it by its square root.
+    let spread = |share: f64| (number as f64 * share).fract();
+    let way = trial(number as f64 * 0.37, 0.1);
+    let place = (spread(0.618) * (way.len() - 1) as f64) as usize;
+    let beside = |share: f64| 1.3 * (spread(share) - 0.5) * (1.0 - place as f64 / 60.0);
+    let [x, y] = way[place];
+    let at_m = [(x + beside(0.786)).clamp(-1.3, 5.3), y + beside(0.414)];
+    let next = way[(place + 3).min(way.len() - 1)];
     NeuronMark {
         at_m,
-        heading_rad: (next[1] - at_m[1]).atan2(next[0] - at_m[0]) + turn,
+        heading_rad: (next[1] - at_m[1]).atan2(next[0] - at_m[0]),
         region: usize::from(at_m[0] < 3.5),
-        utility: (!pending).then(|| (place as f64 / 34.0 + 0.1 * (number as f64).cos()).clamp(0.0, 1.0)),
+        utility: (number % 9 != 4)
+            .then(|| (place as f64 / 34.0 + 0.1 * (number as f64).cos()).clamp(0.0, 1.0)),
         winner: number + 1 == of / 2,
     }
 }

@@ -9,42 +9,42 @@ use crate::wire::ThemeName;
 
 /// Colours by what they are used for.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Theme {
+pub(super) struct Theme {
     /// Ground of the whole picture.
-    pub background: Colour,
+    pub(super) background: Colour,
     /// Text and fine marks.
-    pub ink: Colour,
+    pub(super) ink: Colour,
     /// Secondary text and rules.
-    pub faint_ink: Colour,
+    pub(super) faint_ink: Colour,
     /// Wall lines and outlines of blocks.
-    pub wall: Colour,
+    pub(super) wall: Colour,
     /// Filling of solid blocks.
-    pub block: Colour,
+    pub(super) block: Colour,
     /// Floor tints of the regions, used in turn.
-    pub regions: [Colour; 6],
+    pub(super) regions: [Colour; 6],
     /// Goal disc and its rim.
-    pub goal: Colour,
+    pub(super) goal: Colour,
     /// Paths of earlier trials; faded by age.
-    pub ghost: Colour,
+    pub(super) ghost: Colour,
     /// Best path.
-    pub best: Colour,
+    pub(super) best: Colour,
     /// Path of the trial shown.
-    pub path: Colour,
+    pub(super) path: Colour,
     /// Collision marks.
-    pub collision: Colour,
+    pub(super) collision: Colour,
     /// Sonar cones.
-    pub cone: Colour,
+    pub(super) cone: Colour,
     /// Shell of the robot.
-    pub robot: Colour,
+    pub(super) robot: Colour,
     /// Opacity of a region's tint.
-    pub tint_opacity: f32,
+    pub(super) tint_opacity: f32,
     /// Opacity of the newest and of the oldest ghost path drawn.
-    pub ghost_opacity: [f32; 2],
+    pub(super) ghost_opacity: [f32; 2],
 }
 
 impl Theme {
     /// The colours of this theme.
-    pub fn of(name: ThemeName) -> &'static Self {
+    pub(super) fn of(name: ThemeName) -> &'static Self {
         match name {
             ThemeName::Light => &LIGHT,
             ThemeName::Dark => &DARK,
@@ -52,7 +52,7 @@ impl Theme {
     }
 
     /// Floor tint of the region with this index.
-    pub fn region(&self, index: usize) -> Colour {
+    pub(super) fn region(&self, index: usize) -> Colour {
         self.regions[index % self.regions.len()].fade(self.tint_opacity)
     }
 }
@@ -116,7 +116,7 @@ const VIRIDIS: [Colour; 9] = [
 ];
 
 /// The colour of a utility scaled to 0 (worst) to 1 (best); lightness grows evenly with it.
-pub fn utility_colour(utility: f64) -> Colour {
+pub(super) fn utility_colour(utility: f64) -> Colour {
     let place = if utility.is_finite() { utility.clamp(0.0, 1.0) as f32 } else { 0.0 } * 8.0;
     let below = (place.floor() as usize).min(7);
     VIRIDIS[below].mix(VIRIDIS[below + 1], place - below as f32)
