@@ -2,5 +2,6 @@
 
 pub mod render;
 pub mod report;
+pub mod site;
 pub mod store;
 pub mod wire;
