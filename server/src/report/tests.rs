@@ -168,10 +168,17 @@ fn trials_csv_reads_back_to_the_same_bits() {
     let table = cells(&text);
     assert_eq!(table.len(), 1 + 20);
     assert!(table.iter().all(|row| row.len() == 15 + 4), "15 columns and 4 regions");
-    let value =
-        |f: fn(&Trial) -> f64| report.trials.iter().map(|t| f(t).to_bits()).collect::<Vec<_>>();
-    assert_eq!(bits(&column(&table, "temperature_deg")), value(|t| t.temperature_deg));
-    assert_eq!(bits(&column(&table, "total_reinforcement")), value(|t| t.total_reinforcement));
+    let columns: [(&str, fn(&Trial) -> f64); 5] = [
+        ("temperature_deg", |t| t.temperature_deg),
+        ("total_reinforcement", |t| t.total_reinforcement),
+        ("safety", |t| t.safety),
+        ("goal", |t| t.goal),
+        ("path_m", |t| t.path_m),
+    ];
+    for (name, value) in columns {
+        let written: Vec<u64> = report.trials.iter().map(|t| value(t).to_bits()).collect();
+        assert_eq!(bits(&column(&table, name)), written, "{name}");
+    }
     assert_eq!(column(&table, "reached_goal")[1], "false");
     assert_eq!(column(&table, "steps_in_corridor")[0], "8");
     assert_eq!(column(&table, "steps_in_door")[0], "0");
@@ -184,11 +191,20 @@ fn trial_csv_reads_back_to_the_same_bits() {
     let table = cells(&text);
     assert_eq!(table.len(), 1 + 29);
     assert!(table.iter().all(|row| row.len() == table[0].len()));
-    let value =
-        |f: fn(&TickView) -> f64| report.ticks.iter().map(|t| f(t).to_bits()).collect::<Vec<_>>();
-    assert_eq!(bits(&column(&table, "x_m")), value(|t| t.pose.x_m));
-    assert_eq!(bits(&column(&table, "sonar_23_m")), value(|t| t.sonar_m[23]));
-    assert_eq!(bits(&column(&table, "safety")), value(|t| t.outcome.safety));
+    let columns: [(&str, fn(&TickView) -> f64); 8] = [
+        ("x_m", |t| t.pose.x_m),
+        ("true_heading_deg", |t| t.true_pose.heading_deg),
+        ("prototypical_deg", |t| t.prototypical_deg),
+        ("action_deg", |t| t.action_deg),
+        ("goal", |t| t.outcome.goal),
+        ("reinforcement", |t| t.outcome.reinforcement),
+        ("total_reinforcement", |t| t.total_reinforcement),
+        ("sonar_23_m", |t| t.sonar_m[23]),
+    ];
+    for (name, value) in columns {
+        let written: Vec<u64> = report.ticks.iter().map(|t| value(t).to_bits()).collect();
+        assert_eq!(bits(&column(&table, name)), written, "{name}");
+    }
     assert_eq!(column(&table, "delta")[0], "", "no past, no error");
     assert_eq!(column(&table, "adaptation")[3], "pending");
 }
