@@ -59,6 +59,8 @@ pub(super) fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
     for (number, row) in (1..).zip(TRIALS) {
         let (steps, safety, goal, neurons, born, forgotten, collisions) = row;
+        // Digits that only the shortest exact form keeps.
+        let (safety, goal) = (safety + 1e-9 / 3.0, goal - 1e-9 / 7.0);
         let first_tick = tick + 1;
         tick += u64::from(steps);
         let (total, reached_goal) = (safety + goal, steps < 200);

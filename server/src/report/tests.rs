@@ -48,6 +48,9 @@ fn column<'a>(table: &'a [Vec<&'a str>], name: &str) -> Vec<&'a str> {
     table[1..].iter().map(|row| row[index]).collect()
 }
 
+/// A column of numbers and where they come from.
+type Column<Row> = (&'static str, fn(&Row) -> f64);
+
 fn bits(cells: &[&str]) -> Vec<u64> {
     cells.iter().map(|cell| cell.parse::<f64>().expect("a number").to_bits()).collect()
 }
@@ -168,10 +171,17 @@ fn trials_csv_reads_back_to_the_same_bits() {
     let table = cells(&text);
     assert_eq!(table.len(), 1 + 20);
     assert!(table.iter().all(|row| row.len() == 15 + 4), "15 columns and 4 regions");
-    let value =
-        |f: fn(&Trial) -> f64| report.trials.iter().map(|t| f(t).to_bits()).collect::<Vec<_>>();
-    assert_eq!(bits(&column(&table, "temperature_deg")), value(|t| t.temperature_deg));
-    assert_eq!(bits(&column(&table, "total_reinforcement")), value(|t| t.total_reinforcement));
+    let columns: [Column<Trial>; 5] = [
+        ("temperature_deg", |t| t.temperature_deg),
+        ("total_reinforcement", |t| t.total_reinforcement),
+        ("safety", |t| t.safety),
+        ("goal", |t| t.goal),
+        ("path_m", |t| t.path_m),
+    ];
+    for (name, value) in columns {
+        let written: Vec<u64> = report.trials.iter().map(|t| value(t).to_bits()).collect();
+        assert_eq!(bits(&column(&table, name)), written, "{name}");
+    }
     assert_eq!(column(&table, "reached_goal")[1], "false");
     assert_eq!(column(&table, "steps_in_corridor")[0], "8");
     assert_eq!(column(&table, "steps_in_door")[0], "0");
@@ -184,11 +194,20 @@ fn trial_csv_reads_back_to_the_same_bits() {
     let table = cells(&text);
     assert_eq!(table.len(), 1 + 29);
     assert!(table.iter().all(|row| row.len() == table[0].len()));
-    let value =
-        |f: fn(&TickView) -> f64| report.ticks.iter().map(|t| f(t).to_bits()).collect::<Vec<_>>();
-    assert_eq!(bits(&column(&table, "x_m")), value(|t| t.pose.x_m));
-    assert_eq!(bits(&column(&table, "sonar_23_m")), value(|t| t.sonar_m[23]));
-    assert_eq!(bits(&column(&table, "safety")), value(|t| t.outcome.safety));
+    let columns: [Column<TickView>; 8] = [
+        ("x_m", |t| t.pose.x_m),
+        ("true_heading_deg", |t| t.true_pose.heading_deg),
+        ("prototypical_deg", |t| t.prototypical_deg),
+        ("action_deg", |t| t.action_deg),
+        ("goal", |t| t.outcome.goal),
+        ("reinforcement", |t| t.outcome.reinforcement),
+        ("total_reinforcement", |t| t.total_reinforcement),
+        ("sonar_23_m", |t| t.sonar_m[23]),
+    ];
+    for (name, value) in columns {
+        let written: Vec<u64> = report.ticks.iter().map(|t| value(t).to_bits()).collect();
+        assert_eq!(bits(&column(&table, name)), written, "{name}");
+    }
     assert_eq!(column(&table, "delta")[0], "", "no past, no error");
     assert_eq!(column(&table, "adaptation")[3], "pending");
 }
@@ -296,21 +315,24 @@ fn the_same_session_gives_the_same_bytes() {
     );
 }
 
-/// Writes the sample where it can be looked at: `SONARIUM_SAMPLE_DIR=/tmp/x cargo test sample_files`.
+/// Writes the sample files where they can be looked at and printed.
 #[test]
+#[ignore = "SONARIUM_SAMPLE_DIR=FOLDER cargo test -p sonarium sample_files -- --ignored"]
 fn sample_files_can_be_looked_at() {
-    let Some(folder) = std::env::var_os("SONARIUM_SAMPLE_DIR").map(std::path::PathBuf::from) else {
-        return;
-    };
+    let folder = std::env::var_os("SONARIUM_SAMPLE_DIR").expect("SONARIUM_SAMPLE_DIR is set");
+    let folder = std::path::PathBuf::from(folder);
     let (session, trial) = (sample::session_report(), sample_trial::trial_report());
     let files = [
         ("report.html", html(&session)),
         ("report.json", json(&session)),
         ("trials.csv", csv(&session)),
         ("004.html", trial_html(&trial)),
+        ("004.json", trial_json(&trial)),
         ("004.csv", trial_csv(&trial)),
     ];
     for (name, text) in files {
         std::fs::write(folder.join(name), text).expect("a folder that can be written");
     }
+    let file = std::fs::File::create(folder.join("report.zip")).expect("a file");
+    zip(&session, |_| Ok(Some(sample_trial::trial_report())), None, file).expect("an archive");
 }
