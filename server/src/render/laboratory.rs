@@ -11,10 +11,7 @@ pub(super) fn laboratory(ghosts: usize, neurons: usize) -> ArenaView {
     ArenaView {
         bounds_m: [-1.5, -3.5, 5.55, 2.5],
         walls_m: walls(),
-        blocks_m: vec![
-            rectangle([3.5, 0.3, 3.75, 2.5]),
-            rectangle([3.5, -2.5, 3.75, -1.0]),
-        ],
+        blocks_m: vec![rectangle([3.5, 0.3, 3.75, 2.5]), rectangle([3.5, -2.5, 3.75, -1.0])],
         regions: regions(),
         home: RobotPose { at_m: [0.0, 0.0], heading_rad: 0.0 },
         goal_m: [4.0, -2.0],
@@ -22,7 +19,7 @@ pub(super) fn laboratory(ghosts: usize, neurons: usize) -> ArenaView {
         earlier_paths_m: (0..ghosts).map(|n| trial(n as f64, 0.16)).collect(),
         best_path_m: trial(0.4, 0.02),
         collisions_m: vec![[3.32, -0.66], [4.6, -0.9]],
-        neurons: (0..neurons).map(|n| neuron(n, neurons)).collect(),
+        neurons: won((0..neurons).map(neuron).collect(), robot),
         robot: Some(robot_at(robot)),
         path_m,
         caption: "Trial 21, step 25 · total reinforcement −23.5".to_owned(),
@@ -71,12 +68,25 @@ fn trial(number: f64, wobble_m: f64) -> Vec<[f64; 2]> {
             let [x, y] = at(t);
             let swing = wobble_m * (t * PI / legs).sin();
             let (phase, slow) = (1.7 * number, 0.9 + 0.13 * (number % 5.0));
-            [x + swing * (t * 2.3 * slow + phase).sin(), y + 2.2 * swing * (t * slow + 2.0 * phase).cos()]
+            [
+                x + swing * (t * 2.3 * slow + phase).sin(),
+                y + 2.2 * swing * (t * slow + 2.0 * phase).cos(),
+            ]
         })
         .collect()
 }
 
-fn neuron(number: usize, of: usize) -> NeuronMark {
+/// The neuron nearest to the robot wins.
+fn won(mut neurons: Vec<NeuronMark>, [x, y]: [f64; 2]) -> Vec<NeuronMark> {
+    let apart = |n: &NeuronMark| (n.at_m[0] - x).hypot(n.at_m[1] - y);
+    let decided = neurons.iter_mut().filter(|neuron| neuron.utility.is_some());
+    if let Some(nearest) = decided.min_by(|a, b| apart(a).total_cmp(&apart(b))) {
+        nearest.winner = true;
+    }
+    neurons
+}
+
+fn neuron(number: usize) -> NeuronMark {
     // Places spread evenly over the way by the golden ratio, and around it by its square root.
     let spread = |share: f64| (number as f64 * share).fract();
     let way = trial(number as f64 * 0.37, 0.1);
@@ -91,7 +101,7 @@ fn neuron(number: usize, of: usize) -> NeuronMark {
         region: usize::from(at_m[0] < 3.5),
         utility: (number % 9 != 4)
             .then(|| (place as f64 / 34.0 + 0.1 * (number as f64).cos()).clamp(0.0, 1.0)),
-        winner: number + 1 == of / 2,
+        winner: false,
     }
 }
 

@@ -15,8 +15,7 @@ pub enum AdapterChoice {
 }
 
 /// What to install where no adapter shows up; wgpu's own error never says.
-const INSTALL: &str =
-    "install mesa-vulkan-drivers, or libegl1 + libegl-mesa0 + libgl1-mesa-dri, or the maker's driver";
+const INSTALL: &str = "install mesa-vulkan-drivers, or libegl1 + libegl-mesa0 + libgl1-mesa-dri, or the maker's driver";
 
 /// Whether the GPU back end can be used here on any adapter, simulated ones included.
 pub fn gpu_available() -> bool {
@@ -104,9 +103,7 @@ impl Trouble {
 }
 
 /// Opens a device with the adapter's own limits: the defaults stop at 8192 px and 256 MiB.
-pub(super) fn open(
-    adapter: &Adapter,
-) -> Result<(wgpu::Device, wgpu::Queue, Trouble), RenderError> {
+pub(super) fn open(adapter: &Adapter) -> Result<(wgpu::Device, wgpu::Queue, Trouble), RenderError> {
     let description = wgpu::DeviceDescriptor {
         label: Some("arena"),
         required_limits: adapter.limits(),

@@ -6,8 +6,8 @@ mod shapes;
 
 use super::scene::Scene;
 use super::{Pixels, RenderError};
-pub use adapter::{AdapterChoice, gpu_available};
 use adapter::Trouble;
+pub use adapter::{AdapterChoice, gpu_available};
 use pipeline::{Memory, Pipeline};
 use shapes::Shapes;
 use std::sync::mpsc::sync_channel;
@@ -75,7 +75,9 @@ impl GpuBackend {
     /// The target of the last picture if it has this size, else a new one.
     fn target(&mut self, width: u32, height: u32) -> Target {
         match self.target.take() {
-            Some(target) if target.texture.width() == width && target.texture.height() == height => {
+            Some(target)
+                if target.texture.width() == width && target.texture.height() == height =>
+            {
                 target
             }
             _ => Target::new(&self.device, width, height),

@@ -2,7 +2,9 @@
 
 use super::shapes::{Shape, Shapes};
 use crate::render::scene::Scene;
-use wgpu::{BindGroup, BindGroupLayout, Buffer, BufferUsages, Device, Queue, TextureFormat, VertexFormat};
+use wgpu::{
+    BindGroup, BindGroupLayout, Buffer, BufferUsages, Device, Queue, TextureFormat, VertexFormat,
+};
 
 /// The shader; its doc comments say how coverage is computed.
 const SHADER: &str = include_str!("../../../../assets/shaders/arena.wgsl");
@@ -70,7 +72,8 @@ impl Pipeline {
         let instances = memory.filled("shapes", &shapes.instances, BufferUsages::VERTEX);
         let [red, green, blue, _] = scene.background.0.map(|channel| f64::from(channel) / 255.0);
         let ground = wgpu::Color { r: red, g: green, b: blue, a: 1.0 };
-        let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(ground), store: wgpu::StoreOp::Store };
+        let ops =
+            wgpu::Operations { load: wgpu::LoadOp::Clear(ground), store: wgpu::StoreOp::Store };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("arena"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
