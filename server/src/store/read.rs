@@ -182,15 +182,10 @@ impl Blocks {
     }
 
     fn pass_message_indexes(&mut self) -> Result<(), StoreError> {
-        loop {
-            let head = self.next_head()?;
-            match head {
-                Some((op::MESSAGE_INDEX, length)) => {
-                    self.skip_to(self.position + HEAD_BYTES + length)?
-                }
-                _ => return self.skip_to(self.position),
-            }
+        while let Some((op::MESSAGE_INDEX, length)) = self.next_head()? {
+            self.skip_to(self.position + HEAD_BYTES + length)?;
         }
+        self.skip_to(self.position)
     }
 
     fn messages_of(&self, record: &[u8]) -> Result<Vec<RawMessage>, StoreError> {

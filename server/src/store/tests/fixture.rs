@@ -75,7 +75,7 @@ pub(super) fn run_between(first: u64, last: u64) -> Vec<LogRecord> {
     let mut records = Vec::new();
     for n in first..=last {
         records.push(LogRecord::Tick(Box::new(tick(n))));
-        if n % TRIAL_TICKS == 0 {
+        if n.is_multiple_of(TRIAL_TICKS) {
             records.push(LogRecord::TrialEnd(Box::new(trial_end((n / TRIAL_TICKS) as u32))));
             records.push(LogRecord::Entry(entry(n)));
         }
@@ -140,7 +140,7 @@ pub(super) fn tick(n: u64) -> TickView {
         goal_bearing_deg: -0.0,
         region: "hall".into(),
         winner: Some(WinnerView { neuron: 1, distance: number(n, 8) }),
-        born: (n % 3 == 0).then_some(2),
+        born: n.is_multiple_of(3).then_some(2),
         reflex: None,
         adaptation: AdaptationView::Pending { past: 1 },
         neuron: Some(1),
