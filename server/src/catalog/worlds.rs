@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use rust_embed::RustEmbed;
-use sonarium_core::robot::B21_RADIUS_M;
+use sonarium_core::robot::B21Settings;
 use sonarium_core::world::{World, WorldFile};
 
 use super::{CatalogError, FieldError};
@@ -101,7 +101,7 @@ pub fn read(name: &str, text: String) -> Result<NamedWorld, String> {
     if file.name != name {
         return Err(format!("`name` must be \"{name}\", the name of its file, not {:?}", file.name));
     }
-    let world = World::new(&file, B21_RADIUS_M).map_err(|error| error.to_string())?;
+    let world = World::new(&file, robot_radius_m()).map_err(|error| error.to_string())?;
     Ok(NamedWorld { name: name.to_owned(), text, world: Arc::new(world) })
 }
 
@@ -109,6 +109,11 @@ pub fn read(name: &str, text: String) -> Result<NamedWorld, String> {
 #[must_use]
 pub fn regions(world: &World) -> Vec<String> {
     world.regions().iter().map(|region| region.name.clone()).collect()
+}
+
+/// Radius of the robot that has to find its way, metres.
+fn robot_radius_m() -> f64 {
+    B21Settings::default().radius_m
 }
 
 fn info(world: &NamedWorld) -> WorldInfo {

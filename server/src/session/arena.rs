@@ -1,8 +1,6 @@
 //! The world as the page needs it, and the arena as it is drawn.
 
-use serde_json::Value as Json;
 use sonarium_core::geometry::Pose;
-use sonarium_core::robot::B21_RADIUS_M;
 use sonarium_core::world::World;
 
 use super::Snapshot;
@@ -15,6 +13,7 @@ use crate::wire::{NeuronView, PoseView, TickView, WorldView};
 pub struct Scenery {
     empty: ArenaView,
     regions: Vec<String>,
+    radius_m: f64,
     cone_rad: f64,
     range_m: f64,
 }
@@ -23,12 +22,13 @@ impl Scenery {
     /// The scenery of a plan.
     #[must_use]
     pub fn new(plan: &Plan) -> Self {
-        let names = plan.names();
+        let (names, robot) = (plan.names(), plan.settings.robot());
         Self {
             empty: empty_arena(&plan.world.world, &names.regions),
             regions: names.regions,
-            cone_rad: number(plan, "sonar.cone").to_radians(),
-            range_m: number(plan, "sonar.range"),
+            radius_m: robot.radius_m,
+            cone_rad: robot.sonar_cone_rad,
+            range_m: robot.sonar_range_m,
         }
     }
 
@@ -61,7 +61,7 @@ impl Scenery {
         RobotView {
             pose: robot_pose(tick.outcome.true_pose),
             believed: robot_pose(tick.outcome.pose),
-            radius_m: B21_RADIUS_M,
+            radius_m: self.radius_m,
             cone_rad: self.cone_rad,
             range_m: self.range_m,
             sonar_m: tick.sonar_m.clone(),
@@ -90,7 +90,7 @@ impl Scenery {
 /// The world as the page needs it.
 #[must_use]
 pub fn world_view(plan: &Plan) -> WorldView {
-    let world = &plan.world.world;
+    let (world, robot) = (&plan.world.world, plan.settings.robot());
     WorldView {
         name: plan.world.name.clone(),
         title: world.title().to_owned(),
@@ -100,8 +100,8 @@ pub fn world_view(plan: &Plan) -> WorldView {
         home: world.home().into(),
         goal_m: [world.goal().centre.x, world.goal().centre.y],
         goal_radius_m: world.goal().radius_m,
-        robot_radius_m: B21_RADIUS_M,
-        sonar_range_m: number(plan, "sonar.range"),
+        robot_radius_m: robot.radius_m,
+        sonar_range_m: robot.sonar_range_m,
     }
 }
 
@@ -143,8 +143,4 @@ fn home(pose: Pose) -> RobotPose {
 
 fn robot_pose(pose: PoseView) -> RobotPose {
     RobotPose { at_m: [pose.x_m, pose.y_m], heading_rad: pose.heading_deg.to_radians() }
-}
-
-fn number(plan: &Plan, key: &str) -> f64 {
-    plan.values.get(key).and_then(Json::as_f64).unwrap_or_default()
 }

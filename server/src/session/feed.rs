@@ -88,7 +88,7 @@ impl Feed {
         Self {
             world,
             inner: Mutex::new(inner),
-            changed: watch::Sender::new(0),
+            changed: watch::Sender::new(1),
             viewers: AtomicUsize::new(0),
         }
     }
@@ -155,6 +155,12 @@ impl Feed {
         self.changed.subscribe()
     }
 
+    /// Counts what was published; grows with everything a viewer could see.
+    #[must_use]
+    pub fn version(&self) -> u64 {
+        *self.changed.borrow()
+    }
+
     /// Counts a viewer for as long as the guard lives.
     #[must_use]
     pub fn watch(self: &Arc<Self>) -> Viewer {
@@ -208,13 +214,14 @@ impl Feed {
         self.wake();
     }
 
-    /// Forgets the trials, because the session begins anew. What clients hold is void, so the events
-    /// before are given up and every client gets a new `hello`.
-    pub fn restart(&self) {
+    /// Keeps the first trials only, because the rest is about to be done again. What clients hold is
+    /// void, so the events before are given up and every client gets a new `hello`.
+    pub fn rewind(&self, trials_done: u32) -> Vec<Arc<Trial>> {
         let mut inner = self.lock();
-        inner.trials.clear();
+        inner.trials.truncate(trials_done as usize);
         inner.ring.clear();
         inner.seq += 1;
+        inner.trials.clone()
     }
 
     fn lock(&self) -> MutexGuard<'_, Inner> {

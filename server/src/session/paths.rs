@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use crate::wire::TickView;
+
 /// Earlier trials whose path is kept.
 const KEPT: usize = 40;
 /// Points kept of an earlier path; the path under way keeps all of them.
@@ -24,14 +26,17 @@ pub struct Paths {
 }
 
 impl Paths {
-    /// The robot was here.
-    pub fn visit(&mut self, at_m: [f64; 2]) {
+    /// The robot made this step.
+    pub fn follow(&mut self, tick: &TickView) {
+        if self.present.is_empty() {
+            self.present.push([tick.true_pose.x_m, tick.true_pose.y_m]);
+        }
+        let after = &tick.outcome;
+        let at_m = [after.true_pose.x_m, after.true_pose.y_m];
         self.present.push(at_m);
-    }
-
-    /// The robot collided here.
-    pub fn collide(&mut self, at_m: [f64; 2]) {
-        self.collisions.push(at_m);
+        if after.contact != "none" {
+            self.collisions.push(at_m);
+        }
     }
 
     /// The trial ended; `record` when it is the best so far.
@@ -73,7 +78,7 @@ mod tests {
         let mut paths = Paths::default();
         for trial in 0..500 {
             for step in 0..2000 {
-                paths.visit([f64::from(trial), f64::from(step)]);
+                paths.present.push([f64::from(trial), f64::from(step)]);
             }
             paths.end_trial(trial == 3);
         }

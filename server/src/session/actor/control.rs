@@ -57,15 +57,15 @@ impl Actor {
         if self.run.is_some() {
             return Ok(());
         }
-        let prepared = super::prepare::prepare(&self.lab, &self.session)?;
+        let prepared = Prepared::new(&self.lab, &self.session.id)?;
         if prepared.tick < self.session.tick || prepared.trials_done < self.session.trials_done {
             self.rewind(prepared.tick, prepared.trials_done);
         }
         self.neurons = Arc::new(prepared.run.neurons());
         self.run = Some(prepared.run);
         let log = self.log.insert(prepared.log);
-        for entry in self.unlogged.drain(..) {
-            log.push(LogRecord::Entry(entry))?;
+        for entry in prepared.lost.into_iter().chain(self.unlogged.drain(..)) {
+            log.write(LogRecord::Entry(entry))?;
         }
         Ok(())
     }
@@ -73,7 +73,7 @@ impl Actor {
     /// Forgets what came after the checkpoint; it is about to be done again.
     fn rewind(&mut self, tick: u64, trials_done: u32) {
         let kept = self.feed.rewind(trials_done);
-        self.session.count(&kept);
+        self.session.count(kept.iter().map(|trial| &**trial));
         self.session.tick = tick;
         self.paths.drop_trial();
         self.tick = None;
@@ -113,15 +113,15 @@ impl Actor {
     fn reset(&mut self) -> Result<(), ControlError> {
         self.say("operator", "Reset");
         self.finish_log()?;
-        self.lab.store().archive_log(&self.session.id)?;
+        self.lab.store().reset(&self.session.id)?;
         self.run = None;
         self.condition.checkpoint = false;
         self.tick = None;
         self.neurons = Arc::default();
         self.paths = Paths::default();
         self.tell();
-        let none = self.feed.rewind(0);
-        self.session.count(&none);
+        self.feed.rewind(0);
+        self.session.count([]);
         self.session.tick = 0;
         self.enter(State::Queued, None)
     }

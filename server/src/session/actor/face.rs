@@ -72,7 +72,7 @@ impl Actor {
         self.untold_lines.push(entry.clone());
         match &self.log {
             // A log that refuses is noticed with the next tick, and then the session fails.
-            Some(log) => drop(log.push(LogRecord::Entry(entry))),
+            Some(log) => drop(log.write(LogRecord::Entry(entry))),
             None => self.unlogged.push(entry),
         }
     }

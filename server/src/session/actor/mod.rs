@@ -12,9 +12,10 @@ use crate::session::feed::{Feed, Snapshot};
 use crate::session::lab::Lab;
 use crate::session::pace::Pace;
 use crate::session::paths::Paths;
+use crate::session::prepare::Prepared;
 use crate::session::run::Run;
 use crate::session::slots::Permit;
-use crate::session::state::{Condition, Control, Refused, name};
+use crate::session::state::{Condition, Control, Refused};
 use crate::catalog::FieldError;
 use crate::clock;
 use crate::store::{LogRecord, LogWriter, StoreError};
@@ -27,8 +28,12 @@ const SNAPSHOT_EVERY: [Duration; 2] = [Duration::from_micros(16_600), Duration::
 /// Least time between two events about trials; those that end sooner travel together.
 const EVENTS_EVERY: Duration = Duration::from_millis(100);
 
+mod control;
+mod face;
+mod tick;
+
 /// What an actor is told.
-pub(super) enum Command {
+pub(in crate::session) enum Command {
     /// An operator asks for something.
     Control(Control, oneshot::Sender<Result<Ack, ControlError>>),
     /// A core is free for this session.
@@ -62,7 +67,7 @@ enum Until {
 }
 
 /// One session and all that belongs to it.
-pub(super) struct Actor {
+pub(in crate::session) struct Actor {
     lab: Lab,
     feed: Arc<Feed>,
     sender: Sender<Command>,
@@ -90,7 +95,7 @@ pub(super) struct Actor {
 
 impl Actor {
     /// An actor for what the feed shows.
-    pub(super) fn new(
+    pub(in crate::session) fn new(
         lab: Lab,
         feed: Arc<Feed>,
         (sender, commands): (Sender<Command>, Receiver<Command>),
@@ -125,7 +130,7 @@ impl Actor {
     }
 
     /// Serves the session until nothing is left to do.
-    pub(super) fn serve(mut self) {
+    pub(in crate::session) fn serve(mut self) {
         while !self.closed && !self.retire() {
             let turn = catch_unwind(AssertUnwindSafe(|| self.turn()));
             match turn {

@@ -7,18 +7,10 @@ impl Actor {
     fn take_tick(&mut self) -> Result<(), ControlError> {
         let (Some(run), Some(log)) = (&mut self.run, &self.log) else { return Ok(()) };
         let stepped = run.step();
-        let after = &stepped.tick.outcome;
-        if self.paths.present.is_empty() {
-            let from = stepped.tick.true_pose;
-            self.paths.visit([from.x_m, from.y_m]);
-        }
-        self.paths.visit([after.true_pose.x_m, after.true_pose.y_m]);
-        if after.contact != "none" {
-            self.paths.collide([after.true_pose.x_m, after.true_pose.y_m]);
-        }
+        self.paths.follow(&stepped.tick);
         self.session.tick = stepped.tick.tick;
         self.tick = Some(Arc::new(stepped.tick.clone()));
-        log.push(LogRecord::Tick(Box::new(stepped.tick)))?;
+        log.write(LogRecord::Tick(Box::new(stepped.tick)))?;
         match stepped.end {
             Some(end) => self.end_trial(end),
             None => Ok(()),
@@ -31,9 +23,9 @@ impl Actor {
         self.session.add(&trial);
         self.say("trial", &trial_text(&trial));
         if let (Some(run), Some(log)) = (&self.run, &self.log) {
-            log.push(LogRecord::TrialEnd(Box::new(end)))?;
+            log.write(LogRecord::TrialEnd(Box::new(end)))?;
             if let Some(checkpoint) = run.checkpoint() {
-                log.push(checkpoint)?;
+                log.write(checkpoint)?;
                 self.condition.checkpoint = true;
             }
         }
@@ -71,7 +63,7 @@ impl Session {
     }
 
     /// Counts all trials anew.
-    pub(super) fn count<'a>(&mut self, trials: impl IntoIterator<Item = &'a Trial>) {
+    pub(in crate::session) fn count<'a>(&mut self, trials: impl IntoIterator<Item = &'a Trial>) {
         (self.trials_done, self.reached, self.best) = (0, 0, None);
         for trial in trials {
             self.add(trial);
