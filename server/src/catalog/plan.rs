@@ -144,10 +144,11 @@ impl Plan {
     /// What turns the run's indices into names.
     #[must_use]
     pub fn names(&self) -> Names {
-        let frame = self.values.get("learner.action_frame").and_then(Json::as_str);
+        let choice = |key: &str| self.values.get(key).and_then(Json::as_str).unwrap_or_default();
         Names {
             regions: worlds::regions(&self.world.world),
-            action_frame: frame.unwrap_or_default().to_owned(),
+            one_network: choice("learner.regions") == "one",
+            action_frame: choice("learner.action_frame").to_owned(),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The laboratory: all sessions, the live and the stored.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use std::thread;
@@ -33,7 +33,6 @@ struct Inner {
     slots: Slots,
     desks: Mutex<BTreeMap<String, Desk>>,
     ticks: AtomicU64,
-    closing: AtomicBool,
 }
 
 /// What is in memory of one session.
@@ -83,7 +82,6 @@ impl Lab {
             slots: Slots::new(places),
             desks: Mutex::default(),
             ticks: AtomicU64::new(0),
-            closing: AtomicBool::new(false),
         }))
     }
 
@@ -200,7 +198,6 @@ impl Lab {
 
     /// Ends all sessions so that they can be taken up again.
     pub async fn close(&self) {
-        self.0.closing.store(true, Ordering::Relaxed);
         let answers: Vec<_> = {
             let desks = self.desks();
             let actors = desks.values().filter_map(|desk| desk.actor.as_ref());

@@ -19,6 +19,8 @@ use crate::wire::{
 pub struct Names {
     /// The regions, in the world's order.
     pub regions: Vec<String>,
+    /// There is one network for the whole world, the setting `learner.regions`.
+    pub one_network: bool,
     /// Frame of prototypical actions, the setting `learner.action_frame`.
     pub action_frame: String,
 }
@@ -28,6 +30,11 @@ impl Names {
     #[must_use]
     pub fn region(&self, index: usize) -> String {
         self.regions.get(index).cloned().unwrap_or_else(|| format!("region {}", index + 1))
+    }
+
+    /// Name of the region whose network this is.
+    fn network(&self, index: usize) -> String {
+        if self.one_network { "all".to_owned() } else { self.region(index) }
     }
 
     /// One control step.
@@ -67,7 +74,7 @@ impl Names {
     pub fn neuron(&self, neuron: &NeuronRef<'_>) -> NeuronView {
         NeuronView {
             id: neuron.id.0,
-            region: self.region(neuron.region),
+            region: self.network(neuron.region),
             centre: Vec::new(),
             prototypical_deg: neuron.prototypical_rad.to_degrees(),
             heading_deg: wrap_angle(neuron.heading_rad).to_degrees(),

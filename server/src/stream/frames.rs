@@ -106,12 +106,16 @@ impl Channel {
         }
         let channel = self.clone();
         tokio::spawn(async move {
-            let done = Done(channel);
-            done.0.draw().await;
+            let frame = channel.draw().await;
+            // Free before anybody is woken, so that whoever wants a still newer one can ask at once.
+            channel.drawing.store(false, Ordering::Release);
+            if let Some(frame) = frame {
+                channel.latest.send_replace(frame);
+            }
         });
     }
 
-    async fn draw(&self) {
+    async fn draw(&self) -> Option<Frame> {
         let (_, width, height, theme) = self.key;
         let version = self.feed.version();
         let view = self.scenery.live(&self.feed.snapshot());
@@ -119,18 +123,12 @@ impl Channel {
         match renderer.picture(view, width, height, theme, Quality::Fast).await {
             Ok(png) => {
                 self.frames.0.drawn.fetch_add(1, Ordering::Relaxed);
-                self.latest.send_replace(Frame { version, png });
+                Some(Frame { version, png })
             }
-            Err(error) => tracing::warn!("no picture of session {}: {error}", self.key.0),
+            Err(error) => {
+                tracing::warn!("no picture of session {}: {error}", self.key.0);
+                None
+            }
         }
-    }
-}
-
-/// Lets the next picture be asked for, however this one ended.
-struct Done(Arc<Channel>);
-
-impl Drop for Done {
-    fn drop(&mut self) {
-        self.0.drawing.store(false, Ordering::Release);
     }
 }

@@ -29,6 +29,18 @@ impl Actor {
         }
     }
 
+    /// A control that broke off half-way leaves nothing to go on with.
+    pub(super) fn fail_after(&mut self, control: Control, result: &Result<(), ControlError>) {
+        match result {
+            Err(ControlError::Store(_) | ControlError::Field(_))
+                if matches!(control, Control::Speed(_)) => {}
+            Err(error @ (ControlError::Store(_) | ControlError::Field(_))) => {
+                self.fail(&error.to_string());
+            }
+            Ok(()) | Err(ControlError::Refused(_) | ControlError::Gone) => {}
+        }
+    }
+
     fn ask_to_run(&mut self, until: Until) -> Result<(), ControlError> {
         self.until = until;
         let sender = self.sender.clone();
@@ -171,7 +183,6 @@ impl Actor {
     /// The server ends: what was under way can be taken up again.
     fn close(&mut self) {
         const REASON: &str = "the server was shut down";
-        self.closed = true;
         self.lab.slots().withdraw(&self.session.id);
         if self.condition.at_rest() {
             return;

@@ -90,7 +90,6 @@ pub(in crate::session) struct Actor {
     untold_lines: Vec<LogEntry>,
     published: Instant,
     told: Instant,
-    closed: bool,
 }
 
 impl Actor {
@@ -120,7 +119,6 @@ impl Actor {
             untold_lines: Vec::new(),
             published: now,
             told: now,
-            closed: false,
             session,
             lab,
             feed,
@@ -131,7 +129,7 @@ impl Actor {
 
     /// Serves the session until nothing is left to do.
     pub(in crate::session) fn serve(mut self) {
-        while !self.closed && !self.retire() {
+        while !self.retire() {
             let turn = catch_unwind(AssertUnwindSafe(|| self.turn()));
             match turn {
                 Ok(Ok(())) => {}
@@ -202,9 +200,7 @@ impl Actor {
         match command {
             Command::Control(control, reply) => {
                 let result = self.control(control);
-                if let Err(error @ (ControlError::Store(_) | ControlError::Field(_))) = &result {
-                    self.fail(&error.to_string());
-                }
+                self.fail_after(control, &result);
                 let ack = Ack { state: self.condition.state, tick: self.session.tick };
                 // Whoever asked may have left; the control has happened all the same.
                 let _ = reply.send(result.map(|()| ack));
