@@ -141,7 +141,8 @@ impl Spec {
             Kind::Integer(least, most) => format!("a whole number from {least} to {most}{unit}"),
             Kind::Number(least, most) => format!("a number from {least} to {most}{unit}"),
             Kind::Choice(names) => {
-                let names: Vec<String> = names.iter().map(|(name, _)| format!("`{name}`")).collect();
+                let names: Vec<String> =
+                    names.iter().map(|(name, _)| format!("`{name}`")).collect();
                 format!("one of {}", names.join(", "))
             }
         }
@@ -395,6 +396,7 @@ macro_rules! settings {
 }
 
 #[cfg(test)]
+#[expect(unreachable_pub, reason = "the macros declare public items")]
 mod tests {
     use super::*;
 
@@ -434,13 +436,37 @@ mod tests {
     fn a_refusal_names_the_key_and_what_would_be_right() {
         let mut sample = Sample::default();
         for (key, value, message) in [
-            ("sonar.noise", Value::Number(1.5), "`sonar.noise` must be a number from 0 to 1 (m), not `1.5`"),
-            ("sonar.noise", Value::Number(f64::NAN), "`sonar.noise` must be a number from 0 to 1 (m), not `NaN`"),
-            ("sonar.rays", Value::Number(2.5), "`sonar.rays` must be a whole number from 1 to 9, not `2.5`"),
-            ("sonar.rays", Value::Integer(0), "`sonar.rays` must be a whole number from 1 to 9, not `0`"),
+            (
+                "sonar.noise",
+                Value::Number(1.5),
+                "`sonar.noise` must be a number from 0 to 1 (m), not `1.5`",
+            ),
+            (
+                "sonar.noise",
+                Value::Number(f64::NAN),
+                "`sonar.noise` must be a number from 0 to 1 (m), not `NaN`",
+            ),
+            (
+                "sonar.rays",
+                Value::Number(2.5),
+                "`sonar.rays` must be a whole number from 1 to 9, not `2.5`",
+            ),
+            (
+                "sonar.rays",
+                Value::Integer(0),
+                "`sonar.rays` must be a whole number from 1 to 9, not `0`",
+            ),
             ("learner.on", Value::Integer(1), "`learner.on` must be true or false, not `1`"),
-            ("colour", Value::Choice("green".into()), "`colour` must be one of `red`, `blue`, not `green`"),
-            ("sonar.nois", Value::Number(0.1), "there is no setting `sonar.nois`; did you mean `sonar.noise`?"),
+            (
+                "colour",
+                Value::Choice("green".into()),
+                "`colour` must be one of `red`, `blue`, not `green`",
+            ),
+            (
+                "sonar.nois",
+                Value::Number(0.1),
+                "there is no setting `sonar.nois`; did you mean `sonar.noise`?",
+            ),
             ("weather", Value::Number(0.1), "there is no setting `weather`"),
         ] {
             let error = sample.set(key, &value).expect_err(key);

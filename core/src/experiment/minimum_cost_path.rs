@@ -239,7 +239,7 @@ impl MinimumCostPath {
     /// All neurons, by network and then by age.
     pub fn neurons(&self) -> impl Iterator<Item = NeuronRef<'_>> {
         let networks = self.learner.memory().networks().iter().enumerate();
-        networks.flat_map(|(region, network)| {
+        networks.flat_map(move |(region, network)| {
             network.neurons().iter().map(move |neuron| self.look_at(region, neuron))
         })
     }

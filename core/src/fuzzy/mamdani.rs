@@ -80,7 +80,10 @@ mod tests {
             let found = centre_of_area(inference, &SETS, &activations);
             match (found, expected) {
                 (Some(found), Some(expected)) => {
-                    assert!((found - expected).abs() < 1e-9, "{inference:?} {activations:?} {found}");
+                    assert!(
+                        (found - expected).abs() < 1e-9,
+                        "{inference:?} {activations:?} {found}"
+                    );
                 }
                 _ => assert_eq!(found, expected, "{inference:?} {activations:?}"),
             }

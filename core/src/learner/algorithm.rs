@@ -7,9 +7,9 @@ use super::critic::{PastSituation, adapt, td_error};
 use super::stochastic::{eligibility, explore};
 use super::trial_end::{Changes, PathStep, close};
 use super::{
-    ActionFrame, ActionSource, Adaptation, AfterRescue, Birth, BirthCause, Exploration, FirstAction,
-    Input, LearnerSettings, Network, Neuron, NeuronId, Origin, Partition, Reinforcement, Winner,
-    annealing, reinforcement,
+    ActionFrame, ActionSource, Adaptation, AfterRescue, Birth, BirthCause, Exploration,
+    FirstAction, Input, LearnerSettings, Network, Neuron, NeuronId, Origin, Partition,
+    Reinforcement, Winner, annealing, reinforcement,
 };
 use crate::control::{Reflex, ReflexTrace};
 use crate::geometry::{Pose, Vec2, angle, unit, wrap_angle};
@@ -281,8 +281,7 @@ impl Learner {
 
     /// Closes the trial and cools the temperature; `rng` is the exploration stream of the next trial.
     pub(crate) fn end_trial(&mut self, reached_goal: bool, rng: ChaCha8Rng) -> Changes {
-        let changes =
-            close(&self.settings, &mut self.memory, &self.path, &self.born, reached_goal);
+        let changes = close(&self.settings, &mut self.memory, &self.path, &self.born, reached_goal);
         self.memory.temperature_deg =
             annealing::cooled(&self.settings, self.memory.temperature_deg);
         self.memory.trials += 1;
@@ -484,16 +483,8 @@ impl Learner {
         let id = NeuronId(self.memory.next_neuron);
         self.memory.next_neuron += 1;
         let pending = self.memory.best.is_some();
-        let neuron = Neuron {
-            id,
-            centre,
-            prototypical_rad,
-            mean_deg,
-            utility,
-            pending,
-            wins: 1,
-            birth,
-        };
+        let neuron =
+            Neuron { id, centre, prototypical_rad, mean_deg, utility, pending, wins: 1, birth };
         let acting = Acting::from(network, &neuron);
         self.memory.networks[network].add(neuron);
         self.born.push((network, id));
@@ -503,10 +494,8 @@ impl Learner {
     /// Judges the past situation by where it led, section 5.9.
     fn adapt_past(&mut self, present: &Acting) -> Adaptation {
         let Some(past) = self.past.take() else { return Adaptation::NoPast };
-        let learns_mean = !matches!(
-            self.settings.mean_update,
-            super::MeanUpdate::Off | super::MeanUpdate::Band
-        );
+        let learns_mean =
+            !matches!(self.settings.mean_update, super::MeanUpdate::Off | super::MeanUpdate::Band);
         if !self.settings.temporal_difference && !learns_mean {
             return Adaptation::Off;
         }
@@ -534,14 +523,8 @@ impl Learner {
         let utility = past.situation.reinforcement + self.settings.discount * present_utility;
         let origin = Origin::Inherited { parent: past.neuron };
         let birth = self.birth(BirthCause::Error { delta }, origin, past.pose);
-        let added = self.add(
-            past.network,
-            past.situation.input,
-            step.action_rad,
-            0.0,
-            utility,
-            birth,
-        );
+        let added =
+            self.add(past.network, past.situation.input, step.action_rad, 0.0, utility, birth);
         if let Some(step) = self.path.last_mut() {
             step.neuron = added.neuron;
         }

@@ -110,10 +110,9 @@ mod tests {
         settings.mean_update = MeanUpdate::Gradient;
         let past = PastSituation { input: [1.0; 32], eligibility: 0.5, reinforcement: -1.0 };
         // δ = -1 + 0.7 u_j - u_i, worked by hand; the centre moves by ε √32.
-        for (u_i, u_j, delta, utility, mean_deg, shift) in [
-            (-4.0, -2.0, 1.6, -3.2, 0.16, 0.01),
-            (0.0, -2.0, -2.4, -0.12, -0.024, 0.001),
-        ] {
+        for (u_i, u_j, delta, utility, mean_deg, shift) in
+            [(-4.0, -2.0, 1.6, -3.2, 0.16, 0.01), (0.0, -2.0, -2.4, -0.12, -0.024, 0.001)]
+        {
             let mut neuron = neuron(u_i);
             let found = td_error(&settings, past.reinforcement, u_i, u_j);
             let update = adapt(&settings, &mut neuron, &past, found, u_j);

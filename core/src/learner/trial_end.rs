@@ -35,17 +35,17 @@ impl PathStep {
 
 /// What changed at the end of a trial.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Changes {
+pub(crate) struct Changes {
     /// The trial set a record.
-    pub(super) record: bool,
+    pub(crate) record: bool,
     /// Eq. (5.26).
-    pub(super) backed_up: Vec<Change>,
+    pub(crate) backed_up: Vec<Change>,
     /// Eq. (5.28), radians.
-    pub(super) replaced: Vec<Change>,
+    pub(crate) replaced: Vec<Change>,
     /// A1, degrees.
-    pub(super) proposed: Vec<Change>,
+    pub(crate) proposed: Vec<Change>,
     /// D3.
-    pub(super) forgotten: Vec<NeuronId>,
+    pub(crate) forgotten: Vec<NeuronId>,
 }
 
 /// Closes a trial in memory.
