@@ -1,5 +1,6 @@
-//! The wall clock, as text.
+//! What a program cannot compute: the present moment, and chance.
 
+use std::hash::{BuildHasher, Hasher, RandomState};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// The present moment in RFC 3339, UTC, to the millisecond.
@@ -7,6 +8,13 @@ use std::time::{SystemTime, UNIX_EPOCH};
 pub fn now() -> String {
     let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
     rfc3339(since_epoch.as_secs(), since_epoch.subsec_millis())
+}
+
+/// A number drawn by chance, for identifiers and for seeds that nobody gave. Every result comes from a
+/// seed that is shown; nothing else may depend on this.
+#[must_use]
+pub fn entropy() -> u64 {
+    RandomState::new().build_hasher().finish()
 }
 
 fn rfc3339(seconds: u64, milliseconds: u32) -> String {

@@ -8,6 +8,7 @@ use sonarium_core::settings::{SettingError, Spec};
 
 use super::worlds::NamedWorld;
 use super::{Catalog, DEFAULT_TRIALS, MAX_TRIALS, presets, values, worlds};
+use crate::clock;
 use crate::session::Names;
 use crate::store::SessionRow;
 use crate::wire::{NewSession, Speed};
@@ -180,7 +181,7 @@ fn seed(seed: Option<u64>) -> Result<u64, FieldError> {
         }
         Some(seed) => Ok(seed),
         // Short enough to be read out and typed.
-        None => Ok(rand::random_range(0..1_000_000)),
+        None => Ok(clock::entropy() % 1_000_000),
     }
 }
 

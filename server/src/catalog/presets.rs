@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use rust_embed::RustEmbed;
+use rust_embed::Embed;
 use serde::Deserialize;
 use serde_json::Value as Json;
 
@@ -12,9 +12,8 @@ use crate::wire::PresetInfo;
 /// The preset a session starts from unless told otherwise.
 pub(super) const DEFAULT: &str = "default";
 
-#[derive(RustEmbed)]
+#[derive(Embed)]
 #[folder = "$CARGO_MANIFEST_DIR/../assets/presets"]
-#[include = "*.toml"]
 struct Files;
 
 /// A named set of settings.

@@ -6,7 +6,7 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-use rust_embed::RustEmbed;
+use rust_embed::Embed;
 use sonarium_core::robot::B21Settings;
 use sonarium_core::world::{World, WorldFile};
 
@@ -16,9 +16,8 @@ use crate::wire::WorldInfo;
 /// The world a session runs in unless told otherwise.
 const DEFAULT: &str = "laboratory";
 
-#[derive(RustEmbed)]
+#[derive(Embed)]
 #[folder = "$CARGO_MANIFEST_DIR/../assets/worlds"]
-#[include = "*.toml"]
 struct Files;
 
 /// All worlds by name, the usable and the broken.

@@ -6,14 +6,13 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use std::thread;
 
-use rand::RngExt;
 use tokio::sync::oneshot;
 
 use super::actor::{Actor, Command, ControlError};
 use super::feed::Feed;
 use super::history;
 use super::slots::Slots;
-use super::state::{Condition, Control, name};
+use super::state::{Control, name};
 use crate::catalog::{Catalog, FieldError, Plan};
 use crate::clock;
 use crate::store::{SessionRow, Store, StoreError};
@@ -335,7 +334,14 @@ fn new_row(plan: &Plan) -> SessionRow {
     }
 }
 
+/// An identifier short enough to be read out.
 fn new_id() -> String {
-    let mut rng = rand::rng();
-    (0..ID_LENGTH).map(|_| char::from(ALPHABET[rng.random_range(0..ALPHABET.len())])).collect()
+    let letters = ALPHABET.len() as u64;
+    let mut rest = clock::entropy();
+    let mut letter = || {
+        let index = usize::try_from(rest % letters).unwrap_or_default();
+        rest /= letters;
+        char::from(ALPHABET[index])
+    };
+    (0..ID_LENGTH).map(|_| letter()).collect()
 }

@@ -3,7 +3,7 @@
 use super::*;
 
 impl Actor {
-    fn control(&mut self, control: Control) -> Result<(), ControlError> {
+    pub(super) fn control(&mut self, control: Control) -> Result<(), ControlError> {
         self.condition.check(control)?;
         match control {
             Control::Start => {
@@ -41,7 +41,7 @@ impl Actor {
         }
     }
 
-    fn ask_to_run(&mut self, until: Until) -> Result<(), ControlError> {
+    pub(super) fn ask_to_run(&mut self, until: Until) -> Result<(), ControlError> {
         self.until = until;
         let sender = self.sender.clone();
         let deliver = move |permit| drop(sender.send(Command::Admit(permit)));
@@ -55,7 +55,7 @@ impl Actor {
         }
     }
 
-    fn begin(&mut self, permit: Permit) -> Result<(), ControlError> {
+    pub(super) fn begin(&mut self, permit: Permit) -> Result<(), ControlError> {
         self.condition.waiting = false;
         self.permit = Some(permit);
         self.enter(State::Starting, None)?;
@@ -65,7 +65,7 @@ impl Actor {
     }
 
     /// Builds the machine and opens the log, unless they are there already.
-    fn prepare(&mut self) -> Result<(), ControlError> {
+    pub(super) fn prepare(&mut self) -> Result<(), ControlError> {
         if self.run.is_some() {
             return Ok(());
         }
@@ -83,7 +83,7 @@ impl Actor {
     }
 
     /// Forgets what came after the checkpoint; it is about to be done again.
-    fn rewind(&mut self, tick: u64, trials_done: u32) {
+    pub(super) fn rewind(&mut self, tick: u64, trials_done: u32) {
         let kept = self.feed.rewind(trials_done);
         self.session.count(kept.iter().map(|trial| &**trial));
         self.session.tick = tick;
@@ -95,7 +95,7 @@ impl Actor {
         }
     }
 
-    fn step(&mut self) -> Result<(), ControlError> {
+    pub(super) fn step(&mut self) -> Result<(), ControlError> {
         self.prepare()?;
         self.take_tick()?;
         self.lab.count_ticks(1);
@@ -104,7 +104,7 @@ impl Actor {
     }
 
     /// Holds between two ticks; the machine stays in memory.
-    fn hold(&mut self) -> Result<(), ControlError> {
+    pub(super) fn hold(&mut self) -> Result<(), ControlError> {
         self.permit = None;
         if let Some(log) = &self.log {
             log.flush()?;
@@ -112,7 +112,7 @@ impl Actor {
         self.enter(State::Paused, None)
     }
 
-    fn stop(&mut self) -> Result<(), ControlError> {
+    pub(super) fn stop(&mut self) -> Result<(), ControlError> {
         self.lab.slots().withdraw(&self.session.id);
         self.condition.waiting = false;
         self.say("operator", "Stopped");
@@ -122,7 +122,7 @@ impl Actor {
         self.settle(State::Stopped, None)
     }
 
-    fn reset(&mut self) -> Result<(), ControlError> {
+    pub(super) fn reset(&mut self) -> Result<(), ControlError> {
         self.say("operator", "Reset");
         self.finish_log()?;
         self.lab.store().reset(&self.session.id)?;
@@ -138,7 +138,7 @@ impl Actor {
         self.enter(State::Queued, None)
     }
 
-    fn set_speed(&mut self, speed: Speed) -> Result<(), ControlError> {
+    pub(super) fn set_speed(&mut self, speed: Speed) -> Result<(), ControlError> {
         self.lab.store().update_speed(&self.session.id, speed)?;
         self.session.speed = speed;
         self.pace = Pace::new(speed, Instant::now());
@@ -152,7 +152,7 @@ impl Actor {
     }
 
     /// Ends the run for now: the log is closed, the machine goes, the core is free.
-    fn settle(&mut self, state: State, reason: Option<&str>) -> Result<(), ControlError> {
+    pub(super) fn settle(&mut self, state: State, reason: Option<&str>) -> Result<(), ControlError> {
         self.permit = None;
         self.look_at_neurons();
         self.run = None;
@@ -160,12 +160,12 @@ impl Actor {
         self.enter(state, reason)
     }
 
-    fn finish_log(&mut self) -> Result<(), StoreError> {
+    pub(super) fn finish_log(&mut self) -> Result<(), StoreError> {
         self.log.take().map_or(Ok(()), LogWriter::finish)
     }
 
     /// Cannot go on. What fails on the way down has nowhere else to be told.
-    fn fail(&mut self, reason: &str) {
+    pub(super) fn fail(&mut self, reason: &str) {
         tracing::error!("session {} failed: {reason}", self.session.id);
         self.lab.slots().withdraw(&self.session.id);
         self.condition.waiting = false;
@@ -181,7 +181,7 @@ impl Actor {
     }
 
     /// The server ends: what was under way can be taken up again.
-    fn close(&mut self) {
+    pub(super) fn close(&mut self) {
         const REASON: &str = "the server was shut down";
         self.lab.slots().withdraw(&self.session.id);
         if self.condition.at_rest() {

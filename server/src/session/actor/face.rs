@@ -4,7 +4,7 @@ use super::*;
 
 impl Actor {
     /// Shows and stores a new state.
-    fn enter(&mut self, state: State, reason: Option<&str>) -> Result<(), ControlError> {
+    pub(super) fn enter(&mut self, state: State, reason: Option<&str>) -> Result<(), ControlError> {
         self.condition.state = state;
         self.session.state = state;
         self.session.reason = reason.map(str::to_owned);
@@ -15,7 +15,7 @@ impl Actor {
     }
 
     /// Tells viewers everything at once.
-    fn show(&mut self) {
+    pub(super) fn show(&mut self) {
         self.session.controls = self.condition.controls().iter().map(|c| (*c).to_owned()).collect();
         self.look_at_neurons();
         self.publish();
@@ -23,7 +23,7 @@ impl Actor {
         self.feed.say_state(&self.session);
     }
 
-    fn publish_when_due(&mut self) {
+    pub(super) fn publish_when_due(&mut self) {
         let watched = self.feed.viewers() > 0;
         let every = SNAPSHOT_EVERY[usize::from(!watched)];
         if self.published.elapsed() < every || self.condition.state != State::Running {
@@ -39,7 +39,7 @@ impl Actor {
         }
     }
 
-    fn publish(&mut self) {
+    pub(super) fn publish(&mut self) {
         self.published = Instant::now();
         self.feed.publish(Snapshot {
             session: self.session.clone(),
@@ -49,20 +49,20 @@ impl Actor {
         });
     }
 
-    fn tell(&mut self) {
+    pub(super) fn tell(&mut self) {
         self.told = Instant::now();
         self.feed.say_trials(std::mem::take(&mut self.untold_trials));
         self.feed.say_log(std::mem::take(&mut self.untold_lines));
     }
 
-    fn look_at_neurons(&mut self) {
+    pub(super) fn look_at_neurons(&mut self) {
         if let Some(run) = &self.run {
             self.neurons = Arc::new(run.neurons());
         }
     }
 
     /// A line for the log and for viewers.
-    fn say(&mut self, kind: &str, text: &str) {
+    pub(super) fn say(&mut self, kind: &str, text: &str) {
         let entry = LogEntry {
             at: clock::now(),
             tick: self.session.tick,

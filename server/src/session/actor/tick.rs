@@ -4,7 +4,7 @@ use super::*;
 
 impl Actor {
     /// One control step into the log and the snapshot.
-    fn take_tick(&mut self) -> Result<(), ControlError> {
+    pub(super) fn take_tick(&mut self) -> Result<(), ControlError> {
         let (Some(run), Some(log)) = (&mut self.run, &self.log) else { return Ok(()) };
         let stepped = run.step();
         self.paths.follow(&stepped.tick);
@@ -17,7 +17,7 @@ impl Actor {
         }
     }
 
-    fn end_trial(&mut self, end: TrialEndView) -> Result<(), ControlError> {
+    pub(super) fn end_trial(&mut self, end: TrialEndView) -> Result<(), ControlError> {
         let trial = end.trial.clone();
         self.paths.end_trial(trial.record);
         self.session.add(&trial);
@@ -53,7 +53,7 @@ fn trial_text(trial: &Trial) -> String {
 
 impl Session {
     /// Counts a trial that ended.
-    fn add(&mut self, trial: &Trial) {
+    pub(super) fn add(&mut self, trial: &Trial) {
         self.trials_done = trial.trial;
         if trial.reached_goal {
             self.reached += 1;
