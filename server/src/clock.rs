@@ -5,7 +5,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 /// The present moment in RFC 3339, UTC, to the millisecond.
 #[must_use]
-pub fn now() -> String {
+pub(crate) fn now() -> String {
     let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
     rfc3339(since_epoch.as_secs(), since_epoch.subsec_millis())
 }
@@ -13,7 +13,7 @@ pub fn now() -> String {
 /// A number drawn by chance, for identifiers and for seeds that nobody gave. Every result comes from a
 /// seed that is shown; nothing else may depend on this.
 #[must_use]
-pub fn entropy() -> u64 {
+pub(crate) fn entropy() -> u64 {
     RandomState::new().build_hasher().finish()
 }
 
@@ -33,7 +33,8 @@ fn date(days_since_epoch: u64) -> (u64, u64, u64) {
     let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
     let months_since_march = (5 * day_of_year + 2) / 153;
     let day = day_of_year - (153 * months_since_march + 2) / 5 + 1;
-    let month = if months_since_march < 10 { months_since_march + 3 } else { months_since_march - 9 };
+    let month =
+        if months_since_march < 10 { months_since_march + 3 } else { months_since_march - 9 };
     (era * 400 + year_of_era + u64::from(month <= 2), month, day)
 }
 

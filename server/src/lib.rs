@@ -1,11 +1,12 @@
 //! Sonarium's server: sessions, storage, HTTP, WebSocket, rendering, reports and the command line.
 
-//pub mod api;
+pub mod api;
 pub mod catalog;
-//pub mod cli;
+pub mod cli;
+mod clock;
+mod process;
 pub mod render;
 pub mod report;
-mod clock;
 pub mod session;
 pub mod store;
 pub mod stream;
@@ -14,5 +15,9 @@ pub mod wire;
 /// Program version and commit.
 #[must_use]
 pub fn build() -> String {
-    format!("{} ({})", env!("CARGO_PKG_VERSION"), option_env!("SONARIUM_COMMIT").unwrap_or("unknown"))
+    format!(
+        "{} ({})",
+        env!("CARGO_PKG_VERSION"),
+        option_env!("SONARIUM_COMMIT").unwrap_or("unknown")
+    )
 }

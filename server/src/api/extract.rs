@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 use super::problem::Failure;
 
 /// A JSON body.
-pub struct Body<T>(pub T);
+pub(super) struct Body<T>(pub(super) T);
 
 impl<S: Send + Sync, T: DeserializeOwned> FromRequest<S> for Body<T> {
     type Rejection = Failure;
@@ -23,7 +23,7 @@ impl<S: Send + Sync, T: DeserializeOwned> FromRequest<S> for Body<T> {
 }
 
 /// A JSON body that may be left out.
-pub struct OptionalBody<T>(pub T);
+pub(super) struct OptionalBody<T>(pub(super) T);
 
 impl<S: Send + Sync, T: DeserializeOwned + Default> FromRequest<S> for OptionalBody<T> {
     type Rejection = Failure;
@@ -40,7 +40,7 @@ impl<S: Send + Sync, T: DeserializeOwned + Default> FromRequest<S> for OptionalB
 }
 
 /// Parts of the path.
-pub struct Path<T>(pub T);
+pub(super) struct Path<T>(pub(super) T);
 
 impl<S: Send + Sync, T: DeserializeOwned + Send> FromRequestParts<S> for Path<T> {
     type Rejection = Failure;
@@ -58,14 +58,15 @@ impl<S: Send + Sync, T: DeserializeOwned + Send> FromRequestParts<S> for Path<T>
 }
 
 /// The query.
-pub struct Query<T>(pub T);
+pub(super) struct Query<T>(pub(super) T);
 
 impl<S: Send + Sync, T: DeserializeOwned> FromRequestParts<S> for Query<T> {
     type Rejection = Failure;
 
     async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Failure> {
         let query = parts.uri.query().unwrap_or_default();
-        let deserializer = serde_urlencoded::Deserializer::new(form_urlencoded::parse(query.as_bytes()));
+        let deserializer =
+            serde_urlencoded::Deserializer::new(form_urlencoded::parse(query.as_bytes()));
         serde_path_to_error::deserialize(deserializer).map(Self).map_err(|error| {
             let (path, detail) = (error.path().to_string(), error.inner().to_string());
             named(Failure::unreadable(detail.clone()), field_of(&path, &detail))
@@ -83,7 +84,10 @@ fn check_content_type(request: &Request) -> Result<(), Failure> {
         StatusCode::UNSUPPORTED_MEDIA_TYPE,
         "unsupported-media-type",
         "The body must be JSON",
-        format!("send the body with `content-type: application/json`, not `{}`", given.unwrap_or("nothing")),
+        format!(
+            "send the body with `content-type: application/json`, not `{}`",
+            given.unwrap_or("nothing")
+        ),
     ))
 }
 
@@ -143,7 +147,8 @@ fn named(failure: Failure, field: Option<String>) -> Failure {
 }
 
 fn unreadable_body(rejection: BytesRejection) -> Failure {
-    if let BytesRejection::FailedToBufferBody(FailedToBufferBody::LengthLimitError(_)) = &rejection {
+    if let BytesRejection::FailedToBufferBody(FailedToBufferBody::LengthLimitError(_)) = &rejection
+    {
         return too_large();
     }
     Failure::unreadable(rejection.body_text())
@@ -151,7 +156,7 @@ fn unreadable_body(rejection: BytesRejection) -> Failure {
 
 /// A body over the limit.
 #[must_use]
-pub fn too_large() -> Failure {
+pub(super) fn too_large() -> Failure {
     Failure::new(
         StatusCode::PAYLOAD_TOO_LARGE,
         "too-large",

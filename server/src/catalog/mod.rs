@@ -100,7 +100,9 @@ fn setting(spec: &Spec, defaults: &Settings) -> SettingInfo {
     let (kind, min, max, choices) = match spec.kind {
         Kind::Switch => ("switch", None, None, Vec::new()),
         #[expect(clippy::cast_precision_loss, reason = "bounds are far below 2^53")]
-        Kind::Integer(least, most) => ("integer", Some(least as f64), Some(most as f64), Vec::new()),
+        Kind::Integer(least, most) => {
+            ("integer", Some(least as f64), Some(most as f64), Vec::new())
+        }
         Kind::Number(least, most) => ("number", Some(least), Some(most), Vec::new()),
         Kind::Choice(names) => ("choice", None, None, names.iter().map(choice).collect()),
     };

@@ -96,12 +96,16 @@ mod tests {
 
     #[test]
     fn tables_become_dotted_keys() {
-        let table = "world = \"laboratory\"\nsonar.noise = 0.1\n[learner]\nlearning = false\n\"x.y\" = 1"
-            .parse::<toml::Table>()
-            .expect("valid TOML");
+        let table =
+            "world = \"laboratory\"\nsonar.noise = 0.1\n[learner]\nlearning = false\n\"x.y\" = 1"
+                .parse::<toml::Table>()
+                .expect("valid TOML");
         let settings = flatten(table);
-        assert_eq!(json!(settings), json!({
-            "world": "laboratory", "sonar.noise": 0.1, "learner.learning": false, "learner.x.y": 1,
-        }));
+        assert_eq!(
+            json!(settings),
+            json!({
+                "world": "laboratory", "sonar.noise": 0.1, "learner.learning": false, "learner.x.y": 1,
+            })
+        );
     }
 }

@@ -47,7 +47,8 @@ impl Worlds {
         let mut worlds = BTreeMap::new();
         for file in Files::iter() {
             let name = file.trim_end_matches(".toml").to_owned();
-            let text = Files::get(&file).map(|file| String::from_utf8_lossy(&file.data).into_owned());
+            let text =
+                Files::get(&file).map(|file| String::from_utf8_lossy(&file.data).into_owned());
             let entry = read(&name, text.unwrap_or_default())
                 .map_err(|message| CatalogError { file: format!("worlds/{file}"), message })?;
             worlds.insert(name, Ok(entry));
@@ -95,10 +96,13 @@ impl Worlds {
 ///
 /// # Errors
 /// What is wrong with it: where, and what would be right.
-pub fn read(name: &str, text: String) -> Result<NamedWorld, String> {
+pub(super) fn read(name: &str, text: String) -> Result<NamedWorld, String> {
     let file: WorldFile = toml::from_str(&text).map_err(|error| error.to_string())?;
     if file.name != name {
-        return Err(format!("`name` must be \"{name}\", the name of its file, not {:?}", file.name));
+        return Err(format!(
+            "`name` must be \"{name}\", the name of its file, not {:?}",
+            file.name
+        ));
     }
     let world = World::new(&file, robot_radius_m()).map_err(|error| error.to_string())?;
     Ok(NamedWorld { name: name.to_owned(), text, world: Arc::new(world) })
@@ -106,7 +110,7 @@ pub fn read(name: &str, text: String) -> Result<NamedWorld, String> {
 
 /// Names of a world's regions, in their fixed order.
 #[must_use]
-pub fn regions(world: &World) -> Vec<String> {
+pub(super) fn regions(world: &World) -> Vec<String> {
     world.regions().iter().map(|region| region.name.clone()).collect()
 }
 

@@ -1,8 +1,8 @@
 //! How fast pictures are made: `sonarium bench render` prints what is measured here.
 
 use super::laboratory::laboratory;
-use super::{AdapterChoice, CpuBackend, GpuBackend, Pixels, Quality, RenderError, arena, encode};
 use super::scene::Scene;
+use super::{AdapterChoice, CpuBackend, GpuBackend, Pixels, Quality, RenderError, arena, encode};
 use crate::wire::ThemeName;
 use std::time::Instant;
 

@@ -11,10 +11,7 @@ pub(super) fn laboratory(ghosts: usize, neurons: usize) -> ArenaView {
     ArenaView {
         bounds_m: [-1.5, -3.5, 5.55, 2.5],
         walls_m: walls(),
-        blocks_m: vec![
-            rectangle([3.5, 0.3, 3.75, 2.5]),
-            rectangle([3.5, -2.5, 3.75, -1.0]),
-        ],
+        blocks_m: vec![rectangle([3.5, 0.3, 3.75, 2.5]), rectangle([3.5, -2.5, 3.75, -1.0])],
         regions: regions(),
         home: RobotPose { at_m: [0.0, 0.0], heading_rad: 0.0 },
         goal_m: [4.0, -2.0],
@@ -71,7 +68,10 @@ fn trial(number: f64, wobble_m: f64) -> Vec<[f64; 2]> {
             let [x, y] = at(t);
             let swing = wobble_m * (t * PI / legs).sin();
             let (phase, slow) = (1.7 * number, 0.9 + 0.13 * (number % 5.0));
-            [x + swing * (t * 2.3 * slow + phase).sin(), y + 2.2 * swing * (t * slow + 2.0 * phase).cos()]
+            [
+                x + swing * (t * 2.3 * slow + phase).sin(),
+                y + 2.2 * swing * (t * slow + 2.0 * phase).cos(),
+            ]
         })
         .collect()
 }
@@ -87,7 +87,8 @@ fn neuron(number: usize, of: usize) -> NeuronMark {
         at_m,
         heading_rad: (next[1] - at_m[1]).atan2(next[0] - at_m[0]) + turn,
         region: usize::from(at_m[0] < 3.5),
-        utility: (!pending).then(|| (place as f64 / 34.0 + 0.1 * (number as f64).cos()).clamp(0.0, 1.0)),
+        utility: (!pending)
+            .then(|| (place as f64 / 34.0 + 0.1 * (number as f64).cos()).clamp(0.0, 1.0)),
         winner: number + 1 == of / 2,
     }
 }

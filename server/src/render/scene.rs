@@ -335,7 +335,8 @@ mod tests {
             (Some([6.0, 2.0]), 3, 16.0),
         ] {
             let runs = line(dash).runs();
-            let length = |run: &Run| run.points.windows(2).map(|p| distance(p[0], p[1])).sum::<f32>();
+            let length =
+                |run: &Run| run.points.windows(2).map(|p| distance(p[0], p[1])).sum::<f32>();
             assert_eq!(runs.len(), pieces, "{dash:?}");
             let total: f32 = runs.iter().map(length).sum();
             assert!((total - drawn_px).abs() < 1e-4, "{dash:?}: {total}");

@@ -96,7 +96,8 @@ fn load(font: &[u8]) -> BTreeMap<char, Glyph> {
             continue;
         }
         let contours = pen.contours.iter().map(|contour| heavier(contour)).collect();
-        glyphs.insert(letter, Glyph { advance: metrics.advance_width(id).unwrap_or(0.5), contours });
+        glyphs
+            .insert(letter, Glyph { advance: metrics.advance_width(id).unwrap_or(0.5), contours });
     }
     glyphs
 }
@@ -200,9 +201,11 @@ mod tests {
     fn anchors_place_the_measured_width() {
         let width = width_px("Trial 3", 20.0);
         assert!((40.0..90.0).contains(&width), "{width}");
-        for (anchor, left) in
-            [(Anchor::Start, 100.0), (Anchor::Middle, 100.0 - width / 2.0), (Anchor::End, 100.0 - width)]
-        {
+        for (anchor, left) in [
+            (Anchor::Start, 100.0),
+            (Anchor::Middle, 100.0 - width / 2.0),
+            (Anchor::End, 100.0 - width),
+        ] {
             let outlines = outlines(&line("Trial 3", anchor));
             let points: Vec<Point> = outlines.into_iter().flatten().flatten().collect();
             let least = points.iter().map(|p| p[0]).fold(f32::INFINITY, f32::min);

@@ -75,7 +75,8 @@ impl Scenery {
         let utilities = neurons.iter().filter_map(|neuron| neuron.utility);
         let worst = utilities.clone().fold(f64::INFINITY, f64::min);
         let best = utilities.fold(f64::NEG_INFINITY, f64::max);
-        let scaled = |utility: f64| if best > worst { (utility - worst) / (best - worst) } else { 1.0 };
+        let scaled =
+            |utility: f64| if best > worst { (utility - worst) / (best - worst) } else { 1.0 };
         let mark = |neuron: &NeuronView| NeuronMark {
             at_m: [neuron.birth.pose.x_m, neuron.birth.pose.y_m],
             heading_rad: neuron.heading_deg.to_radians(),

@@ -16,7 +16,11 @@ const LINES: usize = 500;
 const TICKS: u64 = 20_000;
 
 /// A stored session as it travels.
-pub(super) fn session(store: &Store, row: SessionRow, changed: Vec<String>) -> Result<Session, StoreError> {
+pub(super) fn session(
+    store: &Store,
+    row: SessionRow,
+    changed: Vec<String>,
+) -> Result<Session, StoreError> {
     let trials = store.trials(&row.id)?;
     let checkpoint = row.state == State::Failed && store.checkpoint(&row.id)?.is_some();
     let condition = Condition { state: row.state, waiting: false, checkpoint };
@@ -68,11 +72,7 @@ fn last_ticks(store: &Store, session: &Session) -> Result<Vec<TickView>, StoreEr
 }
 
 /// The neurons after the last trial that ended.
-fn neurons(
-    store: &Store,
-    id: &str,
-    last: Option<&Trial>,
-) -> Result<Vec<NeuronView>, StoreError> {
+fn neurons(store: &Store, id: &str, last: Option<&Trial>) -> Result<Vec<NeuronView>, StoreError> {
     let Some(last) = last else { return Ok(Vec::new()) };
     let end = store.trial_end(id, last.trial)?;
     let without_centre = |neuron| NeuronView { centre: Vec::new(), ..neuron };

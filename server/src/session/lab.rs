@@ -16,7 +16,7 @@ use super::state::{Control, name};
 use crate::catalog::{Catalog, FieldError, Plan};
 use crate::clock;
 use crate::store::{SessionRow, Store, StoreError};
-use crate::wire::{Ack, LogEntry, NewSession, Session, State};
+use crate::wire::{Ack, LogEntry, NeuronView, NewSession, Session, State};
 
 /// Letters and digits of identifiers: none that is easily taken for another.
 const ALPHABET: &[u8] = b"abcdefghjkmnpqrstuvwxyz23456789";
@@ -113,7 +113,11 @@ impl Lab {
     /// Viewers connected now.
     #[must_use]
     pub fn viewers(&self) -> usize {
-        self.desks().values().filter_map(|desk| desk.feed.upgrade()).map(|feed| feed.viewers()).sum()
+        self.desks()
+            .values()
+            .filter_map(|desk| desk.feed.upgrade())
+            .map(|feed| feed.viewers())
+            .sum()
     }
 
     /// Creates a session, `queued`.
@@ -172,11 +176,36 @@ impl Lab {
         let (reply, answer) = oneshot::channel();
         let (lab, id) = (self.clone(), id.to_owned());
         // Opening a session reads from the disk.
-        let sent = tokio::task::spawn_blocking(move || {
-            lab.send(&id, Command::Control(control, reply))
-        });
+        let sent =
+            tokio::task::spawn_blocking(move || lab.send(&id, Command::Control(control, reply)));
         sent.await.map_err(|_| ControlError::Gone)??;
         answer.await.map_err(|_| ControlError::Gone)?
+    }
+
+    /// A neuron of a session as it is now, its centre included.
+    ///
+    /// # Errors
+    /// When the session cannot be read.
+    pub async fn neuron(&self, id: &str, number: u32) -> Result<Option<NeuronView>, LabError> {
+        let (reply, answer) = oneshot::channel();
+        if self.tell(id, Command::Look(number, reply))
+            && let Ok(Some(neuron)) = answer.await
+        {
+            return Ok(Some(neuron));
+        }
+        let last = self.session(id)?.trials_done;
+        let end = self.store().trial_end(id, last)?;
+        let neurons = end.map(|end| end.neurons).unwrap_or_default();
+        Ok(neurons.into_iter().find(|neuron| neuron.id == number))
+    }
+
+    /// Brings the log of a session under way up to the present, before it is read.
+    pub async fn flush(&self, id: &str) {
+        let (reply, answer) = oneshot::channel();
+        if self.tell(id, Command::Flush(reply)) {
+            // An actor that ended meanwhile has closed its log.
+            let _ = answer.await;
+        }
     }
 
     /// Deletes a session that is not in use.
@@ -212,6 +241,13 @@ impl Lab {
         }
     }
 
+    /// Sends a command to an actor at work; says whether there is one.
+    fn tell(&self, id: &str, command: Command) -> bool {
+        let desks = self.desks();
+        let actor = desks.get(id).and_then(|desk| desk.actor.as_ref());
+        actor.is_some_and(|actor| actor.send(command).is_ok())
+    }
+
     fn send(&self, id: &str, command: Command) -> Result<(), LabError> {
         let row = self.row(id)?;
         let mut desks = self.desks();
@@ -239,10 +275,9 @@ impl Lab {
         let unlogged = std::mem::take(&mut desk.unlogged);
         let channel = (sender.clone(), commands);
         let actor = Actor::new(self.clone(), feed, channel, checkpoint, unlogged);
-        thread::Builder::new()
-            .name(format!("session {id}"))
-            .spawn(move || actor.serve())
-            .map_err(|error| StoreError::Index { doing: "start a thread", reason: error.to_string() })?;
+        thread::Builder::new().name(format!("session {id}")).spawn(move || actor.serve()).map_err(
+            |error| StoreError::Index { doing: "start a thread", reason: error.to_string() },
+        )?;
         desk.actor = Some(sender.clone());
         desk.session = None;
         Ok(sender)

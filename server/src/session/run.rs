@@ -38,7 +38,8 @@ impl Run {
     /// # Errors
     /// When the checkpoint is damaged or belongs to another program, world or setting.
     pub fn resume(plan: &Plan, stored: &StoredCheckpoint) -> Result<Self, FieldError> {
-        let refuse = |why: String| FieldError::new("checkpoint", format!("{why}; reset the session"));
+        let refuse =
+            |why: String| FieldError::new("checkpoint", format!("{why}; reset the session"));
         let checkpoint: Checkpoint =
             postcard::from_bytes(&stored.bytes).map_err(|error| refuse(error.to_string()))?;
         let world = plan.world.world.clone();
@@ -68,10 +69,11 @@ impl Run {
         self.machine.neurons().map(|neuron| self.names.neuron(&neuron)).collect()
     }
 
-    /// All neurons with their centres.
+    /// One neuron with its centre.
     #[must_use]
-    pub fn whole_neurons(&self) -> Vec<NeuronView> {
-        self.machine.neurons().map(|neuron| self.names.whole_neuron(&neuron)).collect()
+    pub fn neuron(&self, number: u32) -> Option<NeuronView> {
+        let found = self.machine.neurons().find(|neuron| neuron.id.0 == number);
+        found.map(|neuron| self.names.whole_neuron(&neuron))
     }
 
     /// What to resume from, between two trials.

@@ -156,7 +156,9 @@ impl Connection {
         let sent = self.arena.as_ref().map_or(0, |arena| arena.sent);
         self.arena = wish.map(|wish| Arena::new(&self.frames, &self.feed, &self.scenery, wish));
         // The same picture is not sent twice, only because a rate was changed.
-        if let Some(arena) = &mut self.arena && arena.latest.borrow().version == sent {
+        if let Some(arena) = &mut self.arena
+            && arena.latest.borrow().version == sent
+        {
             arena.sent = sent;
         }
     }
@@ -193,7 +195,8 @@ impl Connection {
             (&self.depths, wishes.depths),
             (&self.neurons, wishes.neurons),
         ];
-        let samples = samples.into_iter().filter(|(schedule, rate_hz)| schedule.wants(tick, *rate_hz));
+        let samples =
+            samples.into_iter().filter(|(schedule, rate_hz)| schedule.wants(tick, *rate_hz));
         let samples = samples.map(|(schedule, _)| schedule.due);
         let arena = self.arena.as_ref().and_then(|arena| arena.next_due(self.feed.version()));
         samples.chain(arena).min()
@@ -245,7 +248,8 @@ impl Connection {
         };
         let frame = CloseFrame { code, reason: goodbye.to_string().into() };
         // A client that takes nothing does not take this either.
-        let _ = timeout(Duration::from_secs(1), self.socket.send(Message::Close(Some(frame)))).await;
+        let _ =
+            timeout(Duration::from_secs(1), self.socket.send(Message::Close(Some(frame)))).await;
     }
 }
 
@@ -270,12 +274,7 @@ impl Schedule {
 }
 
 impl Arena {
-    fn new(
-        frames: &Frames,
-        feed: &Arc<Feed>,
-        scenery: &Arc<Scenery>,
-        wish: &ArenaRequest,
-    ) -> Self {
+    fn new(frames: &Frames, feed: &Arc<Feed>, scenery: &Arc<Scenery>, wish: &ArenaRequest) -> Self {
         let channel = frames.channel(feed, scenery, wish);
         let latest = channel.subscribe();
         Self { channel, latest, rate_hz: wish.rate, due: Instant::now(), sent: 0 }
@@ -284,7 +283,8 @@ impl Arena {
     fn next_due(&self, version: u64) -> Option<Instant> {
         let drawn = self.latest.borrow().version;
         // While the picture is being drawn, its arrival wakes the connection.
-        (drawn > self.sent || (version > self.sent && !self.channel.is_drawing())).then_some(self.due)
+        (drawn > self.sent || (version > self.sent && !self.channel.is_drawing()))
+            .then_some(self.due)
     }
 
     /// The picture to send now; asks for one when there is none newer than the last.

@@ -70,8 +70,9 @@ fn culprit(json: &Json) -> String {
         return "type".into();
     }
     let alone = |key: &String, value: &Json| serde_json::json!({ "type": "subscribe", key: value });
-    let unreadable =
-        |(key, value): &(&String, &Json)| serde_json::from_value::<ClientMessage>(alone(key, value)).is_err();
+    let unreadable = |(key, value): &(&String, &Json)| {
+        serde_json::from_value::<ClientMessage>(alone(key, value)).is_err()
+    };
     let others = fields.iter().filter(|(key, _)| *key != "type");
     others.into_iter().find(unreadable).map_or_else(String::new, |(key, _)| key.clone())
 }
@@ -129,8 +130,7 @@ mod tests {
     #[test]
     fn what_a_message_does_not_name_stays() {
         let mut subscription = Subscription::default();
-        for message in
-            [r#"{"type":"subscribe","tick":60}"#, r#"{"type":"subscribe","neurons":0}"#]
+        for message in [r#"{"type":"subscribe","tick":60}"#, r#"{"type":"subscribe","neurons":0}"#]
         {
             subscription.apply(message).expect("a good message");
         }

@@ -53,7 +53,11 @@ pub(super) fn entries(view: &ArenaView) -> Vec<Entry> {
         (!neurons.is_empty(), Symbol::Neuron, text("neuron and its action")),
         (neurons.iter().any(|n| n.winner), Symbol::Winner, text("winner")),
         (neurons.iter().any(|n| n.utility.is_none()), Symbol::Pending, text("utility pending")),
-        (neurons.iter().any(|n| n.utility.is_some()), Symbol::Utility, text("utility, worst to best")),
+        (
+            neurons.iter().any(|n| n.utility.is_some()),
+            Symbol::Utility,
+            text("utility, worst to best"),
+        ),
     ]
     .into_iter()
     .filter(|(occurs, ..)| *occurs)

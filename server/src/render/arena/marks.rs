@@ -23,7 +23,13 @@ impl Canvas<'_> {
         if self.view.home.heading_rad.is_finite() {
             let angle = screen_angle(self.view.home.heading_rad);
             let tick = vec![toward(centre, angle, half), toward(centre, angle, 2.2 * half)];
-            rimmed_stroke(scene, tick, self.px(1.8).max(1.0), self.theme.ink, self.theme.background);
+            rimmed_stroke(
+                scene,
+                tick,
+                self.px(1.8).max(1.0),
+                self.theme.ink,
+                self.theme.background,
+            );
         }
     }
 
@@ -109,7 +115,8 @@ impl Canvas<'_> {
         }
         let (half, count) = (half.min(FRAC_PI_2), robot.sonar_m.len());
         for (index, &reading_m) in robot.sonar_m.iter().enumerate() {
-            let heading = robot.pose.heading_rad + std::f64::consts::TAU * index as f64 / count as f64;
+            let heading =
+                robot.pose.heading_rad + std::f64::consts::TAU * index as f64 / count as f64;
             self.cone(scene, robot, heading, reading_m, half);
         }
     }

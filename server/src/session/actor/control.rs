@@ -152,7 +152,11 @@ impl Actor {
     }
 
     /// Ends the run for now: the log is closed, the machine goes, the core is free.
-    pub(super) fn settle(&mut self, state: State, reason: Option<&str>) -> Result<(), ControlError> {
+    pub(super) fn settle(
+        &mut self,
+        state: State,
+        reason: Option<&str>,
+    ) -> Result<(), ControlError> {
         self.permit = None;
         self.look_at_neurons();
         self.run = None;

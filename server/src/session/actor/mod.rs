@@ -8,6 +8,8 @@ use std::time::{Duration, Instant};
 
 use tokio::sync::oneshot;
 
+use crate::catalog::FieldError;
+use crate::clock;
 use crate::session::feed::{Feed, Snapshot};
 use crate::session::lab::Lab;
 use crate::session::pace::Pace;
@@ -16,10 +18,11 @@ use crate::session::prepare::Prepared;
 use crate::session::run::Run;
 use crate::session::slots::Permit;
 use crate::session::state::{Condition, Control, Refused};
-use crate::catalog::FieldError;
-use crate::clock;
 use crate::store::{LogRecord, LogWriter, StoreError};
-use crate::wire::{Ack, LogEntry, NamedSpeed, NeuronView, Session, Speed, State, StepUnit, TickView, Trial, TrialEndView};
+use crate::wire::{
+    Ack, LogEntry, NamedSpeed, NeuronView, Session, Speed, State, StepUnit, TickView, Trial,
+    TrialEndView,
+};
 
 /// Longest time between two looks at the commands.
 const ATTENTION: Duration = Duration::from_millis(4);
@@ -38,6 +41,10 @@ pub(in crate::session) enum Command {
     Control(Control, oneshot::Sender<Result<Ack, ControlError>>),
     /// A core is free for this session.
     Admit(Permit),
+    /// Somebody looks at a neuron, its centre included.
+    Look(u32, oneshot::Sender<Option<NeuronView>>),
+    /// Somebody is about to read the log.
+    Flush(oneshot::Sender<()>),
     /// The server ends.
     Close(oneshot::Sender<()>),
 }
@@ -206,9 +213,20 @@ impl Actor {
                 let _ = reply.send(result.map(|()| ack));
             }
             Command::Admit(permit) => {
-                if self.condition.waiting && let Err(error) = self.begin(permit) {
+                if self.condition.waiting
+                    && let Err(error) = self.begin(permit)
+                {
                     self.fail(&error.to_string());
                 }
+            }
+            Command::Look(neuron, reply) => {
+                let found = self.run.as_ref().and_then(|run| run.neuron(neuron));
+                let _ = reply.send(found);
+            }
+            Command::Flush(reply) => {
+                // A log that refuses is noticed with the next tick, and then the session fails.
+                let _ = self.log.as_ref().map(LogWriter::flush);
+                let _ = reply.send(());
             }
             Command::Close(reply) => {
                 self.close();

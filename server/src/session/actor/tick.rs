@@ -45,7 +45,9 @@ fn trial_text(trial: &Trial) -> String {
     let Trial { trial: number, steps, total_reinforcement, .. } = trial;
     if trial.reached_goal {
         let record = if trial.record { ", the best so far" } else { "" };
-        format!("Trial {number} reached the goal in {steps} steps, R = {total_reinforcement:.2}{record}")
+        format!(
+            "Trial {number} reached the goal in {steps} steps, R = {total_reinforcement:.2}{record}"
+        )
     } else {
         format!("Trial {number} ended without the goal after {steps} steps")
     }
@@ -57,7 +59,9 @@ impl Session {
         self.trials_done = trial.trial;
         if trial.reached_goal {
             self.reached += 1;
-            let best = self.best.map_or(trial.total_reinforcement, |best| best.max(trial.total_reinforcement));
+            let best = self
+                .best
+                .map_or(trial.total_reinforcement, |best| best.max(trial.total_reinforcement));
             self.best = Some(best);
         }
     }
