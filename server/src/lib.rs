@@ -8,6 +8,7 @@ mod process;
 pub mod render;
 pub mod report;
 pub mod session;
+pub mod site;
 pub mod store;
 pub mod stream;
 pub mod wire;

@@ -94,8 +94,7 @@ impl Server {
     /// Posts JSON below `/api/v1/`; answers the status and the body.
     #[must_use]
     pub fn post(&self, path: &str, body: &Value) -> (u16, Value) {
-        let mut answer =
-            agent().post(self.api(path)).send_json(body).expect("the server answers");
+        let mut answer = agent().post(self.api(path)).send_json(body).expect("the server answers");
         (answer.status().as_u16(), answer.body_mut().read_json().unwrap_or(Value::Null))
     }
 

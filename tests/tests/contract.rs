@@ -13,8 +13,7 @@ fn run_prints_one_object_with_the_fields_that_stay() {
     for field in ["experiment", "seed", "build", "settings", "trials", "summary"] {
         assert!(!result[field].is_null(), "{field}");
     }
-    for field in
-        ["trial", "steps", "total_reinforcement", "neurons", "collisions", "reached_goal"]
+    for field in ["trial", "steps", "total_reinforcement", "neurons", "collisions", "reached_goal"]
     {
         assert!(!result["trials"][1][field].is_null(), "{field}");
     }
@@ -77,7 +76,8 @@ fn experiments_names_every_setting_with_default_unit_and_source() {
 #[test]
 fn a_session_is_created_driven_and_downloaded() {
     let server = Server::start();
-    let id = server.create(&json!({"experiment": EXPERIMENT, "seed": 1, "trials": 3, "speed": "max"}));
+    let id =
+        server.create(&json!({"experiment": EXPERIMENT, "seed": 1, "trials": 3, "speed": "max"}));
     let path = format!("sessions/{id}");
     let (status, ack) = server.post(&format!("{path}/step"), &Value::Null);
     assert_eq!((status, &ack["state"], &ack["tick"]), (200, &json!("paused"), &json!(1)));
@@ -120,8 +120,18 @@ fn bad_requests_get_problem_details_and_the_server_goes_on() {
     };
     for (path, body, status, field) in [
         ("sessions".into(), session(json!({"experiment": "x"})), 422, "experiment"),
-        ("sessions".into(), session(json!({"settings": {"sonar.noise": 7}})), 422, "settings.sonar.noise"),
-        ("sessions".into(), session(json!({"settings": {"sonar.nois": 0}})), 422, "settings.sonar.nois"),
+        (
+            "sessions".into(),
+            session(json!({"settings": {"sonar.noise": 7}})),
+            422,
+            "settings.sonar.noise",
+        ),
+        (
+            "sessions".into(),
+            session(json!({"settings": {"sonar.nois": 0}})),
+            422,
+            "settings.sonar.nois",
+        ),
         ("sessions".into(), session(json!({"settings": {"world": "x"}})), 422, "settings.world"),
         ("sessions".into(), session(json!({"settings": {"preset": "x"}})), 422, "settings.preset"),
         ("sessions".into(), session(json!({"trials": 0})), 422, "trials"),

@@ -15,7 +15,8 @@ fn a_killed_session_is_interrupted_and_resumes_to_the_same_bits() {
     let body = json!({"experiment": "minimum-cost-path", "seed": 77, "trials": 12, "speed": 200});
     let id = server.create(&body);
     assert_eq!(server.post(&format!("sessions/{id}/start"), &Value::Null).0, 200);
-    let before = server.wait(&id, "in trial 6", |session| session["trials_done"].as_u64() >= Some(5));
+    let before =
+        server.wait(&id, "in trial 6", |session| session["trials_done"].as_u64() >= Some(5));
     server.kill();
 
     let server = Server::start_on(folder.path());

@@ -31,7 +31,11 @@ fn the_code_is_formatted() {
 
 #[test]
 fn clippy_finds_nothing() {
-    passes(".", &cargo(), &["clippy", "--workspace", "--all-targets", "--quiet", "--", "-D", "warnings"]);
+    passes(
+        ".",
+        &cargo(),
+        &["clippy", "--workspace", "--all-targets", "--quiet", "--", "-D", "warnings"],
+    );
 }
 
 #[test]

@@ -1,107 +1,19 @@
 //! Algorithm 9 as a state machine.
 
 use rand_chacha::ChaCha8Rng;
-use serde::{Deserialize, Serialize};
 
 use super::critic::{PastSituation, adapt, td_error};
+use super::memory::{Memory, Start};
 use super::stochastic::{eligibility, explore};
 use super::trial_end::{Changes, PathStep, close};
 use super::{
-    ActionFrame, ActionSource, Adaptation, AfterRescue, Birth, BirthCause, Exploration,
-    FirstAction, Input, LearnerSettings, Network, Neuron, NeuronId, Origin, Partition,
-    Reinforcement, Winner, annealing, reinforcement,
+    ActionFrame, ActionSource, Adaptation, AfterRescue, Birth, BirthCause, Consequence, Decision,
+    Exploration, FirstAction, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId, Observation,
+    Origin, Partition, Winner, annealing, reinforcement,
 };
 use crate::control::{Reflex, ReflexTrace};
 use crate::geometry::{Pose, Vec2, angle, unit, wrap_angle};
 use crate::robot::Contact;
-
-/// What the learner is told before it decides.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Observation {
-    /// The 24 sonar readings, metres.
-    pub sonar_m: [f64; 24],
-    /// Believed pose.
-    pub pose: Pose,
-    /// Region the robot believes to be in.
-    pub region: usize,
-    /// Contact of the motion that led here.
-    pub contact: Contact,
-}
-
-/// What the learner decided, with its reasons; the fields are those of [`super::Tick`].
-#[derive(Clone, Debug, PartialEq)]
-#[expect(missing_docs, reason = "each is documented in Tick")]
-pub struct Decision {
-    pub goal_distance_m: f64,
-    pub goal_bearing_rad: f64,
-    pub winner: Option<Winner>,
-    pub born: Option<NeuronId>,
-    pub reflex: Option<ReflexTrace>,
-    pub adaptation: Adaptation,
-    pub neuron: Option<NeuronId>,
-    pub prototypical_rad: f64,
-    pub utility: Option<f64>,
-    pub exploration: Exploration,
-    pub source: ActionSource,
-    pub action_rad: f64,
-    pub rotation_rad: f64,
-}
-
-/// What came of a decision.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Consequence {
-    /// Readings after the motion, metres.
-    pub sonar_m: [f64; 24],
-    /// Believed pose after the motion.
-    pub pose: Pose,
-    /// Believed displacement, metres.
-    pub moved: Vec2,
-    /// `r(t+1)`.
-    pub reinforcement: Reinforcement,
-}
-
-/// All that outlives a trial: the networks and what steers them.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Memory {
-    /// One network a region, in the world's order.
-    pub(super) networks: Vec<Network>,
-    /// Number of the next neuron.
-    next_neuron: u32,
-    /// `T(n)` of the present trial, degrees.
-    temperature_deg: f64,
-    /// Best total reinforcement of a successful trial.
-    pub(super) best: Option<f64>,
-    /// Trials done.
-    trials: u32,
-    /// Ticks done.
-    ticks: u64,
-}
-
-impl Memory {
-    /// Trials done.
-    #[must_use]
-    pub fn trials(&self) -> u32 {
-        self.trials
-    }
-
-    /// Ticks done.
-    #[must_use]
-    pub fn ticks(&self) -> u64 {
-        self.ticks
-    }
-
-    /// The networks, in the order of the world's regions.
-    #[must_use]
-    pub fn networks(&self) -> &[Network] {
-        &self.networks
-    }
-
-    /// Neurons in all networks.
-    #[must_use]
-    pub fn neurons(&self) -> usize {
-        self.networks.iter().map(|network| network.neurons().len()).sum()
-    }
-}
 
 /// The past situation, waiting for its consequence to be judged.
 #[derive(Clone, Debug)]
@@ -189,14 +101,7 @@ impl Learner {
         goal: Vec2,
         rng: ChaCha8Rng,
     ) -> Self {
-        let memory = Memory {
-            networks: vec![Network::default(); regions],
-            next_neuron: 0,
-            temperature_deg: annealing::initial(&settings),
-            best: None,
-            trials: 0,
-            ticks: 0,
-        };
+        let memory = Memory::empty(&settings, regions);
         Self::remember(settings, reflex, goal, memory, rng)
     }
 
@@ -446,8 +351,7 @@ impl Learner {
                 (Origin::Reflex, situation.action(advice.rotation_rad), 0.0)
             }
         };
-        // Section 5.9, Exceptions: u is the reinforcement of the present situation; once a trial has
-        // succeeded it is only a guess until the goal is reached.
+        // Section 5.9, Exceptions: u is the reinforcement of the present situation.
         let now = reinforcement(
             &self.settings.reward,
             &observation.sonar_m,
@@ -455,7 +359,8 @@ impl Learner {
             situation.bearing_rad,
         );
         let birth = self.birth(cause, origin, observation.pose);
-        self.add(situation.network, situation.input, prototypical_rad, mean_deg, now.total(), birth)
+        let start = Start { prototypical_rad, mean_deg, utility: now.total() };
+        self.add(situation.network, situation.input, start, birth)
     }
 
     /// NOTE (D2): the thesis always asks the reflex. Off the stored path every situation is new, so
@@ -471,31 +376,24 @@ impl Learner {
         Birth { trial, step: self.step, tick: self.memory.ticks, cause, origin, pose }
     }
 
-    fn add(
-        &mut self,
-        network: usize,
-        centre: Input,
-        prototypical_rad: f64,
-        mean_deg: f64,
-        utility: f64,
-        birth: Birth,
-    ) -> Acting {
-        let id = NeuronId(self.memory.next_neuron);
-        self.memory.next_neuron += 1;
-        let pending = self.memory.best.is_some();
-        let neuron =
-            Neuron { id, centre, prototypical_rad, mean_deg, utility, pending, wins: 1, birth };
-        let acting = Acting::from(network, &neuron);
-        self.memory.networks[network].add(neuron);
+    fn add(&mut self, network: usize, centre: Input, start: Start, birth: Birth) -> Acting {
+        let id = self.memory.add(network, centre, start, birth);
         self.born.push((network, id));
-        acting
+        Acting {
+            network,
+            neuron: id,
+            prototypical_rad: start.prototypical_rad,
+            mean_deg: start.mean_deg,
+            utility: start.utility,
+            pending: self.memory.best.is_some(),
+        }
     }
 
     /// Judges the past situation by where it led, section 5.9.
     fn adapt_past(&mut self, present: &Acting) -> Adaptation {
         let Some(past) = self.past.take() else { return Adaptation::NoPast };
         let learns_mean =
-            !matches!(self.settings.mean_update, super::MeanUpdate::Off | super::MeanUpdate::Band);
+            matches!(self.settings.mean_update, MeanUpdate::Gradient | MeanUpdate::Both);
         if !self.settings.temporal_difference && !learns_mean {
             return Adaptation::Off;
         }
@@ -523,8 +421,8 @@ impl Learner {
         let utility = past.situation.reinforcement + self.settings.discount * present_utility;
         let origin = Origin::Inherited { parent: past.neuron };
         let birth = self.birth(BirthCause::Error { delta }, origin, past.pose);
-        let added =
-            self.add(past.network, past.situation.input, step.action_rad, 0.0, utility, birth);
+        let start = Start { prototypical_rad: step.action_rad, mean_deg: 0.0, utility };
+        let added = self.add(past.network, past.situation.input, start, birth);
         if let Some(step) = self.path.last_mut() {
             step.neuron = added.neuron;
         }

@@ -18,17 +18,21 @@ mod algorithm;
 mod annealing;
 mod band;
 mod critic;
+mod exchange;
 mod explanation;
 mod input;
+mod memory;
 mod network;
 mod reward;
 mod settings;
 mod stochastic;
 mod trial_end;
 
-pub use algorithm::{Consequence, Decision, Learner, Memory, Observation};
+pub use algorithm::Learner;
+pub use exchange::{Consequence, Decision, Observation};
 pub use explanation::*;
 pub use input::{INPUTS, Input, InputSettings, SonarFrame};
+pub use memory::Memory;
 pub use network::{Network, Neuron, NoveltyMetric, Partition};
 pub use reward::{RewardSettings, reinforcement};
 pub use settings::{

@@ -1,8 +1,7 @@
 //! What is learned when a trial ends: back-tracking, replacement, proposals, forgetting.
 
-use super::algorithm::Memory;
 use super::band::chords;
-use super::{Change, LearnerSettings, MeanUpdate, NeuronId, Replacement};
+use super::{Change, LearnerSettings, MeanUpdate, Memory, NeuronId, Replacement};
 use crate::geometry::{Vec2, wrap_angle};
 
 /// One step of the path, as remembered until the trial ends (section 5.9, Back Tracking).

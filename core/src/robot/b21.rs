@@ -23,7 +23,11 @@ use super::motion::{Course, Motion};
 /// Sonars on the enclosure's ring; sonar `i` looks `15°·i` counter-clockwise from the heading.
 pub const SONARS: usize = 24;
 
-/// What the simulated robot is like. Lengths in metres, angles in radians.
+/// What the simulated robot is like. Lengths in metres, angles in radians. All numbers are finite
+/// and none is negative; ranges and increments are greater than 0.
+///
+/// The thesis gives the way of a step, the infrared range and the threshold (sections 5.4 and 5.5);
+/// the size is that of the robot's enclosure, and the rest describes the simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct B21Settings {
     /// Radius of the shell.

@@ -114,3 +114,98 @@ impl Course<'_> {
         self.world.surface_distance_m(position) - self.settings.radius_m
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::geometry::unit;
+    use crate::world::examples::{all_files, room_file, world};
+
+    /// The same motion with the clearance computed after every increment.
+    fn looking_every_time(course: &Course) -> (Contact, f64) {
+        let increments = course.increments(course.settings.advance_m);
+        for increment in 1..=increments {
+            let way_m = course.way_m(increment).min(course.settings.advance_m);
+            let clearance_m = course.clearance_m(way_m);
+            if clearance_m <= 0.0 {
+                return (Contact::Real, course.way_m(increment - 1));
+            }
+            if clearance_m < course.settings.virtual_collision_m() {
+                return (Contact::Virtual, way_m);
+            }
+        }
+        (Contact::None, course.settings.advance_m)
+    }
+
+    proptest! {
+        #[test]
+        fn looking_only_where_it_matters_changes_no_bit(
+            world_index in 0..3usize, x in -1.2..5.3f64, y in -3.2..2.2f64,
+            heading_rad in -3.2..3.2f64, threshold_pct in 50.0..90.0f64, advance_m in 0.05..0.6f64,
+        ) {
+            let world = world(&all_files()[world_index]);
+            let settings = B21Settings {
+                infrared_threshold_pct: threshold_pct, advance_m, ..Default::default()
+            };
+            let start = Vec2::new(x, y);
+            let start_clearance_m = world.clearance_m(start) - settings.radius_m;
+            prop_assume!(start_clearance_m > 0.0);
+            let direction = unit(heading_rad);
+            let course =
+                Course { world: &world, settings: &settings, start, direction, start_clearance_m };
+            prop_assert_eq!(course.advance(), looking_every_time(&course));
+        }
+    }
+
+    /// Drives east in a room of the given width from `x`, and tells what happened:
+    /// contact, way advanced, way backed off, clearance at the end.
+    fn east(width_m: f64, x: f64, settings: &B21Settings) -> (Contact, [f64; 3]) {
+        let world = world(&room_file(width_m, 4.0));
+        let start = Vec2::new(x, 0.0);
+        let start_clearance_m = world.clearance_m(start) - settings.radius_m;
+        let direction = Vec2::x();
+        let way = Course { world: &world, settings, start, direction, start_clearance_m }.travel();
+        (way.contact, [way.advanced_m, way.backed_m, way.clearance_m])
+    }
+
+    #[test]
+    fn a_collision_and_its_rescue_are_as_specified() {
+        let normal = B21Settings::default();
+        let dark = B21Settings { infrared_reflectance: 0.5, ..normal.clone() };
+        let long = B21Settings { back_min_m: 0.3, ..normal.clone() };
+        let short = B21Settings { back_min_m: 0.0, back_max_m: 0.03, ..normal.clone() };
+        // The shell touches the east wall at half the width less 0.265 m.
+        for (case, width_m, x, settings, contact, expected) in [
+            ("free way", 4.0, 0.0, &normal, Contact::None, [0.2, 0.0, 1.535]),
+            ("stops below 10 cm", 4.0, 1.6, &normal, Contact::Virtual, [0.04, 0.1, 0.195]),
+            ("starts below 10 cm", 4.0, 1.65, &normal, Contact::Virtual, [0.01, 0.1, 0.175]),
+            ("touches what is dark", 4.0, 1.6, &dark, Contact::Real, [0.13, 0.15, 0.155]),
+            ("backs off the least way", 4.0, 1.6, &long, Contact::Virtual, [0.04, 0.3, 0.395]),
+            (
+                "backs off no more than allowed",
+                4.0,
+                1.6,
+                &short,
+                Contact::Virtual,
+                [0.04, 0.03, 0.125],
+            ),
+            (
+                "stays off what is behind",
+                0.735,
+                0.0,
+                &normal,
+                Contact::Virtual,
+                [0.01, 0.1, 0.0125],
+            ),
+            ("stays clear", 0.84, 0.0, &normal, Contact::Virtual, [0.06, 0.06, 0.155]),
+        ] {
+            let (found, lengths_m) = east(width_m, x, settings);
+            assert_eq!(found, contact, "{case}");
+            for (length_m, expected_m) in lengths_m.into_iter().zip(expected) {
+                assert!((length_m - expected_m).abs() < 1e-12, "{case}: {lengths_m:?}");
+            }
+        }
+    }
+}

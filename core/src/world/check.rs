@@ -39,13 +39,18 @@ pub(super) fn check_values(file: &WorldFile) -> Result<(), WorldError> {
 pub(super) fn segments(file: &WorldFile) -> Result<Vec<Segment>, WorldError> {
     let mut segments = Vec::new();
     for (index, wall) in file.walls.iter().enumerate() {
-        segments.extend(edges(&format!("walls[{index}]"), wall, 2)?);
+        check_points(&format!("walls[{index}]"), wall, 2)?;
+        segments.extend(edges(wall));
     }
     for (index, block) in file.blocks.iter().enumerate() {
         let field = format!("blocks[{index}]");
-        let closing: Vec<_> = block.iter().chain(block.first()).copied().collect();
         check_points(&field, block, 3)?;
-        segments.extend(edges(&field, &closing, 4)?);
+        if block.first() == block.last() {
+            let field = format!("{field}[{}]", block.len() - 1);
+            return Err(WorldError::RepeatedPoint { field });
+        }
+        let closed: Vec<_> = block.iter().chain(block.first()).copied().collect();
+        segments.extend(edges(&closed));
     }
     if segments.is_empty() {
         return Err(WorldError::NoWalls);
@@ -136,10 +141,9 @@ fn half_plane(field: String, rule: &RuleFile) -> Result<HalfPlane, WorldError> {
     }
 }
 
-fn edges(field: &str, points: &[[f64; 2]], needed: usize) -> Result<Vec<Segment>, WorldError> {
-    check_points(field, points, needed)?;
+fn edges(points: &[[f64; 2]]) -> impl Iterator<Item = Segment> {
     let point = |[x, y]: [f64; 2]| Vec2::new(x, y);
-    Ok(points.windows(2).map(|ends| Segment { a: point(ends[0]), b: point(ends[1]) }).collect())
+    points.windows(2).map(move |ends| Segment { a: point(ends[0]), b: point(ends[1]) })
 }
 
 fn check_points(field: &str, points: &[[f64; 2]], needed: usize) -> Result<(), WorldError> {

@@ -8,6 +8,8 @@
 
 mod check;
 mod error;
+#[cfg(test)]
+pub(crate) mod examples;
 mod file;
 mod reach;
 mod region;

@@ -63,10 +63,10 @@ impl Floor {
             let y = self.origin.y + row as f64 * CELL_M;
             let (left, right) = reach_along_row(low, high, y - radius_m, y + radius_m);
             let columns = self.span(left - radius_m, right + radius_m, self.origin.x, self.columns);
-            for column in columns {
-                let cell = row * self.columns + column;
+            for cell in columns.map(|column| row * self.columns + column) {
                 // Home was found free to the last bit; rounding in the grid must not close it.
-                if cell != self.home && distance_m(self.centre(cell), wall) < radius_m {
+                let open = !self.closed[cell] && cell != self.home;
+                if open && distance_m(self.centre(cell), wall) < radius_m {
                     self.closed[cell] = true;
                 }
             }

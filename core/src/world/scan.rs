@@ -79,11 +79,10 @@ impl RayRing {
                 offsets.chunks(LANES).map(move |chunk| RayGroup::new(angle(fan), chunk))
             })
             .collect();
-        let nothing = Echoes { nearness: [1.0 / range_m; LANES], cosine: [1.0; LANES] };
         Self {
             fans: (0..fans).map(|fan| Fan::new(unit(angle(fan)) * radius_m)).collect(),
             groups_per_fan: offsets.len().div_ceil(LANES),
-            echoes: vec![nothing; groups.len()],
+            echoes: vec![Echoes::nothing(range_m); groups.len()],
             groups,
             radius_m,
             range_m,
@@ -95,8 +94,7 @@ impl RayRing {
     /// Distance from the shell to the nearest echo in each fan, metres, the range where there is
     /// none. The body stands at `position` and `direction` is the unit vector of its heading.
     pub fn scan(&mut self, world: &World, position: Vec2, direction: Vec2, readings_m: &mut [f64]) {
-        let nothing = Echoes { nearness: [1.0 / self.range_m; LANES], cosine: [1.0; LANES] };
-        self.echoes.fill(nothing);
+        self.echoes.fill(Echoes::nothing(self.range_m));
         let reach_m = self.range_m + self.radius_m;
         for wall in world.walls() {
             let a = into_frame(wall.a - position, direction);
@@ -105,9 +103,13 @@ impl RayRing {
                 self.meet(Segment { a, b });
             }
         }
-        for (echoes, reading_m) in
-            self.echoes.chunks_exact(self.groups_per_fan).zip(readings_m.iter_mut())
-        {
+        self.read(readings_m);
+    }
+
+    /// The nearest echo of each fan.
+    fn read(&self, readings_m: &mut [f64]) {
+        let fans = self.echoes.chunks_exact(self.groups_per_fan);
+        for (echoes, reading_m) in fans.zip(readings_m) {
             *reading_m = nearest_m(echoes, self.least_cosine, self.range_m);
         }
     }
@@ -168,6 +170,10 @@ impl Scaled {
 }
 
 impl Echoes {
+    fn nothing(range_m: f64) -> Self {
+        Self { nearness: [1.0 / range_m; LANES], cosine: [1.0; LANES] }
+    }
+
     #[inline(always)]
     fn keep_nearness(&mut self, rays: &RayGroup, edge: Scaled) {
         for k in 0..LANES {
@@ -262,13 +268,110 @@ fn square(value: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+    use crate::geometry::{rotate, wrap_angle};
+    use crate::world::examples::{all_files, room_file, world};
+
+    const FANS: usize = 24;
+
+    /// Readings with every fan tried against every wall.
+    fn tried_all(ring: &mut RayRing, world: &World, at: Vec2, direction: Vec2) -> [f64; FANS] {
+        let mut readings = [0.0; FANS];
+        ring.echoes.fill(Echoes::nothing(ring.range_m));
+        for wall in world.walls() {
+            let (a, b) = (into_frame(wall.a - at, direction), into_frame(wall.b - at, direction));
+            (0..FANS).for_each(|fan| ring.try_fan(fan, Segment { a, b }));
+        }
+        ring.read(&mut readings);
+        readings
+    }
+
+    /// Readings from single rays cast in the world frame.
+    fn cast_singly(ring: &RayRing, world: &World, at: Vec2, direction: Vec2) -> [f64; FANS] {
+        let critical_rad = libm::acos(ring.least_cosine);
+        std::array::from_fn(|fan| {
+            let Fan { x, y } = ring.fans[fan];
+            let origin = at + rotate(Vec2::new(x, y), direction);
+            let groups = &ring.groups[fan * ring.groups_per_fan..(fan + 1) * ring.groups_per_fan];
+            let rays = groups.iter().flat_map(|group| group.x.into_iter().zip(group.y));
+            let hits = rays.filter_map(|(x, y)| {
+                world.nearest_m(origin, rotate(Vec2::new(x, y), direction), ring.range_m)
+            });
+            hits.filter(|hit| hit.incidence_rad <= critical_rad)
+                .map(|hit| hit.distance_m)
+                .fold(ring.range_m, f64::min)
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn leaving_out_fans_changes_no_bit(
+            world_index in 0..3usize, x in -1.2..5.3f64, y in -3.2..2.2f64,
+            heading_rad in -3.2..3.2f64, rays in 1..9usize, cone_rad in 0.0..1.5f64,
+            range_m in 0.5..10.0f64,
+        ) {
+            let world = world(&all_files()[world_index]);
+            let (at, direction) = (Vec2::new(x, y), unit(heading_rad));
+            prop_assume!(world.clearance_m(at) > 0.265);
+            let mut ring = RayRing::new(FANS, rays, cone_rad, 0.265, range_m, FRAC_PI_2);
+            let mut readings = [0.0; FANS];
+            ring.scan(&world, at, direction, &mut readings);
+            prop_assert_eq!(readings, tried_all(&mut ring, &world, at, direction));
+        }
+
+        #[test]
+        fn a_ring_reads_what_its_single_rays_meet(
+            x in -1.2..5.3f64, y in -3.2..2.2f64, heading_rad in -3.2..3.2f64,
+            critical_rad in 0.3..1.6f64,
+        ) {
+            let world = world(&all_files()[2]);
+            let (at, direction) = (Vec2::new(x, y), unit(heading_rad));
+            prop_assume!(world.clearance_m(at) > 0.265);
+            let mut ring = RayRing::new(FANS, 5, 0.26, 0.265, 4.0, critical_rad);
+            let mut readings = [0.0; FANS];
+            ring.scan(&world, at, direction, &mut readings);
+            let expected = cast_singly(&ring, &world, at, direction);
+            for fan in 0..FANS {
+                prop_assert!((readings[fan] - expected[fan]).abs() < 1e-9, "fan {}", fan);
+            }
+        }
+    }
+
+    #[test]
+    fn readings_in_a_square_room_are_those_of_trigonometry() {
+        let room = world(&room_file(4.0, 4.0));
+        let mut ring = RayRing::new(FANS, 5, 15.0_f64.to_radians(), 0.265, 8.0, FRAC_PI_2);
+        let mut readings = [0.0; FANS];
+        ring.scan(&room, Vec2::zeros(), Vec2::x(), &mut readings);
+        let to_wall = |sonar_deg: f64, ray_deg: f64| {
+            (2.0 - 0.265 * sonar_deg.to_radians().cos()) / ray_deg.to_radians().cos()
+        };
+        // The nearest ray is the one of the cone that comes closest to the wall's normal.
+        let eighth =
+            [to_wall(0.0, 0.0), to_wall(15.0, 7.5), to_wall(30.0, 22.5), to_wall(45.0, 37.5)];
+        for (sonar, reading) in readings.into_iter().enumerate() {
+            let from_axis = sonar % 6;
+            let expected = eighth[from_axis.min(6 - from_axis)];
+            assert!((reading - expected).abs() < 1e-12, "sonar {sonar}: {reading} {expected}");
+        }
+    }
+
+    #[test]
+    fn nothing_within_range_reads_the_range() {
+        let room = world(&room_file(40.0, 40.0));
+        let mut ring = RayRing::new(FANS, 5, 0.26, 0.265, 8.0, FRAC_PI_2);
+        let mut readings = [0.0; FANS];
+        ring.scan(&room, Vec2::zeros(), Vec2::x(), &mut readings);
+        assert_eq!(readings, [8.0; FANS]);
+    }
 
     #[test]
     fn the_rough_angle_is_within_its_promise() {
         for step in -31_416..=31_416 {
             let angle_rad = f64::from(step) * 1e-4;
-            let off = crate::geometry::wrap_angle(rough_angle(unit(angle_rad)) - angle_rad);
+            let off = wrap_angle(rough_angle(unit(angle_rad)) - angle_rad);
             assert!(off.abs() < 0.004, "{angle_rad}: {off}");
         }
     }

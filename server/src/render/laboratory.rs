@@ -19,7 +19,7 @@ pub(super) fn laboratory(ghosts: usize, neurons: usize) -> ArenaView {
         earlier_paths_m: (0..ghosts).map(|n| trial(n as f64, 0.16)).collect(),
         best_path_m: trial(0.4, 0.02),
         collisions_m: vec![[3.32, -0.66], [4.6, -0.9]],
-        neurons: (0..neurons).map(|n| neuron(n, neurons)).collect(),
+        neurons: won((0..neurons).map(neuron).collect(), robot),
         robot: Some(robot_at(robot)),
         path_m,
         caption: "Trial 21, step 25 · total reinforcement −23.5".to_owned(),
@@ -76,20 +76,32 @@ fn trial(number: f64, wobble_m: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-fn neuron(number: usize, of: usize) -> NeuronMark {
-    let path = trial(number as f64 * 0.37, 0.28);
-    let place = (number * 7) % path.len();
-    let at_m = path[place];
-    let next = path[(place + 2).min(path.len() - 1)];
-    let turn = 0.5 * (number as f64).sin();
-    let pending = number % 9 == 4;
+/// The neuron nearest to the robot wins.
+fn won(mut neurons: Vec<NeuronMark>, [x, y]: [f64; 2]) -> Vec<NeuronMark> {
+    let apart = |n: &NeuronMark| (n.at_m[0] - x).hypot(n.at_m[1] - y);
+    let decided = neurons.iter_mut().filter(|neuron| neuron.utility.is_some());
+    if let Some(nearest) = decided.min_by(|a, b| apart(a).total_cmp(&apart(b))) {
+        nearest.winner = true;
+    }
+    neurons
+}
+
+fn neuron(number: usize) -> NeuronMark {
+    // Places spread evenly over the way by the golden ratio, and around it by its square root.
+    let spread = |share: f64| (number as f64 * share).fract();
+    let way = trial(number as f64 * 0.37, 0.1);
+    let place = (spread(0.618) * (way.len() - 1) as f64) as usize;
+    let beside = |share: f64| 1.3 * (spread(share) - 0.5) * (1.0 - place as f64 / 60.0);
+    let [x, y] = way[place];
+    let at_m = [(x + beside(0.786)).clamp(-1.3, 5.3), y + beside(0.414)];
+    let next = way[(place + 3).min(way.len() - 1)];
     NeuronMark {
         at_m,
-        heading_rad: (next[1] - at_m[1]).atan2(next[0] - at_m[0]) + turn,
+        heading_rad: (next[1] - at_m[1]).atan2(next[0] - at_m[0]),
         region: usize::from(at_m[0] < 3.5),
-        utility: (!pending)
+        utility: (number % 9 != 4)
             .then(|| (place as f64 / 34.0 + 0.1 * (number as f64).cos()).clamp(0.0, 1.0)),
-        winner: number + 1 == of / 2,
+        winner: false,
     }
 }
 

@@ -4,18 +4,18 @@ use super::scene::Point;
 
 /// Places the world's bounds in a picture: the same scale along both axes, `y` turned downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Projection {
+pub(super) struct Projection {
     /// Pixels to the metre.
-    pub px_per_m: f64,
+    pub(super) px_per_m: f64,
     /// Shown part of the world, `[x0, y0, x1, y1]` in metres.
-    pub bounds_m: [f64; 4],
+    pub(super) bounds_m: [f64; 4],
     /// Pixel of the corner `(x0, y1)`.
-    pub top_left_px: [f64; 2],
+    pub(super) top_left_px: [f64; 2],
 }
 
 impl Projection {
     /// Fits the bounds into `[left, top, right, bottom]` pixels, as large as possible, centred.
-    pub fn fit(bounds_m: [f64; 4], frame_px: [f64; 4]) -> Self {
+    pub(super) fn fit(bounds_m: [f64; 4], frame_px: [f64; 4]) -> Self {
         let [left, top, right, bottom] = frame_px;
         let (width_px, height_px) = ((right - left).max(1.0), (bottom - top).max(1.0));
         let (width_m, height_m) = (bounds_m[2] - bounds_m[0], bounds_m[3] - bounds_m[1]);
@@ -29,7 +29,7 @@ impl Projection {
 
     /// The pixel of a place. Places beyond the bounds are pulled to just outside them, so that a
     /// wild estimate shows at the rim and not somewhere in the legend; none if not finite.
-    pub fn place(&self, at_m: [f64; 2]) -> Option<Point> {
+    pub(super) fn place(&self, at_m: [f64; 2]) -> Option<Point> {
         let [x0, y0, x1, y1] = self.bounds_m;
         let rim_m = 0.02 * (x1 - x0).max(y1 - y0);
         let x_m = at_m[0].clamp(x0 - rim_m, x1 + rim_m);
@@ -40,12 +40,12 @@ impl Projection {
     }
 
     /// The pixels of those places that are finite.
-    pub fn places(&self, points_m: &[[f64; 2]]) -> Vec<Point> {
+    pub(super) fn places(&self, points_m: &[[f64; 2]]) -> Vec<Point> {
         points_m.iter().filter_map(|&point| self.place(point)).collect()
     }
 
     /// A path thinned to steps of at least `least_px`; its ends stay.
-    pub fn path(&self, points_m: &[[f64; 2]], least_px: f32) -> Vec<Point> {
+    pub(super) fn path(&self, points_m: &[[f64; 2]], least_px: f32) -> Vec<Point> {
         let mut kept: Vec<Point> = Vec::new();
         let mut dropped = None;
         for point in points_m.iter().filter_map(|&point| self.place(point)) {
@@ -62,12 +62,12 @@ impl Projection {
     }
 
     /// A length in pixels.
-    pub fn length(&self, length_m: f64) -> f32 {
+    pub(super) fn length(&self, length_m: f64) -> f32 {
         (length_m * self.px_per_m) as f32
     }
 
     /// The shown bounds in pixels, `[left, top, right, bottom]`.
-    pub fn frame(&self) -> [f32; 4] {
+    pub(super) fn frame(&self) -> [f32; 4] {
         let [left, top] = self.top_left_px;
         let [x0, y0, x1, y1] = self.bounds_m;
         let (right, bottom) = (left + (x1 - x0) * self.px_per_m, top + (y1 - y0) * self.px_per_m);

@@ -11,18 +11,18 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 /// The contours of one glyph, pixels.
-pub type Contours = Vec<Vec<Point>>;
+pub(super) type Contours = Vec<Vec<Point>>;
 
 /// Width of a line of text, pixels.
-pub fn width_px(text: &str, size: f32) -> f32 {
+pub(super) fn width_px(text: &str, size: f32) -> f32 {
     text.chars().map(|letter| glyph(letter).advance).sum::<f32>() * size
 }
 
 /// Height of capital letters above the baseline as a part of the font size.
-pub const CAP_HEIGHT: f32 = 0.69;
+pub(super) const CAP_HEIGHT: f32 = 0.69;
 
 /// The outlines of a text's glyphs, where they stand in the picture.
-pub fn outlines(text: &Text) -> Vec<Contours> {
+pub(super) fn outlines(text: &Text) -> Vec<Contours> {
     let width = width_px(&text.text, text.size);
     let shift = match text.anchor {
         Anchor::Start => 0.0,
@@ -46,7 +46,7 @@ pub fn outlines(text: &Text) -> Vec<Contours> {
 }
 
 /// The text, cut with an ellipsis if it is wider than this; empty if nothing of it fits.
-pub fn fitted(text: &str, size: f32, most_px: f32) -> String {
+pub(super) fn fitted(text: &str, size: f32, most_px: f32) -> String {
     if width_px(text, size) <= most_px {
         return text.to_owned();
     }

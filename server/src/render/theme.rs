@@ -9,50 +9,58 @@ use crate::wire::ThemeName;
 
 /// Colours by what they are used for.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Theme {
+pub(super) struct Theme {
     /// Ground of the whole picture.
-    pub background: Colour,
+    pub(super) background: Colour,
     /// Text and fine marks.
-    pub ink: Colour,
+    pub(super) ink: Colour,
     /// Secondary text and rules.
-    pub faint_ink: Colour,
+    pub(super) faint_ink: Colour,
     /// Wall lines and outlines of blocks.
-    pub wall: Colour,
+    pub(super) wall: Colour,
     /// Filling of solid blocks.
-    pub block: Colour,
+    pub(super) block: Colour,
     /// Floor tints of the regions, used in turn.
-    pub regions: [Colour; 6],
+    pub(super) regions: [Colour; 6],
     /// Goal disc and its rim.
-    pub goal: Colour,
+    pub(super) goal: Colour,
     /// Paths of earlier trials; faded by age.
-    pub ghost: Colour,
+    pub(super) ghost: Colour,
     /// Best path.
-    pub best: Colour,
+    pub(super) best: Colour,
     /// Path of the trial shown.
-    pub path: Colour,
+    pub(super) path: Colour,
     /// Collision marks.
-    pub collision: Colour,
+    pub(super) collision: Colour,
     /// Sonar cones.
-    pub cone: Colour,
+    pub(super) cone: Colour,
     /// Shell of the robot.
-    pub robot: Colour,
+    pub(super) robot: Colour,
+    /// The part of the scale of utilities that stands out from the ground.
+    pub(super) utilities: [f64; 2],
     /// Opacity of a region's tint.
-    pub tint_opacity: f32,
+    pub(super) tint_opacity: f32,
     /// Opacity of the newest and of the oldest ghost path drawn.
-    pub ghost_opacity: [f32; 2],
+    pub(super) ghost_opacity: [f32; 2],
 }
 
 impl Theme {
     /// The colours of this theme.
-    pub fn of(name: ThemeName) -> &'static Self {
+    pub(super) fn of(name: ThemeName) -> &'static Self {
         match name {
             ThemeName::Light => &LIGHT,
             ThemeName::Dark => &DARK,
         }
     }
 
+    /// The colour of a utility scaled to 0 (worst) to 1 (best).
+    pub(super) fn utility(&self, utility: f64) -> Colour {
+        let [worst, best] = self.utilities;
+        viridis(worst + (best - worst) * utility.clamp(0.0, 1.0))
+    }
+
     /// Floor tint of the region with this index.
-    pub fn region(&self, index: usize) -> Colour {
+    pub(super) fn region(&self, index: usize) -> Colour {
         self.regions[index % self.regions.len()].fade(self.tint_opacity)
     }
 }
@@ -80,6 +88,7 @@ const LIGHT: Theme = Theme {
     collision: Colour::rgb(0xc0392b),
     cone: Colour::rgb(0xd98200),
     robot: Colour::rgb(0x1d232b),
+    utilities: [0.0, 0.97],
     tint_opacity: 0.11,
     ghost_opacity: [0.40, 0.08],
 };
@@ -98,6 +107,7 @@ const DARK: Theme = Theme {
     collision: Colour::rgb(0xff7b6b),
     cone: Colour::rgb(0xffb84d),
     robot: Colour::rgb(0xf2f5f8),
+    utilities: [0.2, 1.0],
     tint_opacity: 0.12,
     ghost_opacity: [0.42, 0.09],
 };
@@ -115,9 +125,9 @@ const VIRIDIS: [Colour; 9] = [
     Colour::rgb(0xfde725),
 ];
 
-/// The colour of a utility scaled to 0 (worst) to 1 (best); lightness grows evenly with it.
-pub fn utility_colour(utility: f64) -> Colour {
-    let place = if utility.is_finite() { utility.clamp(0.0, 1.0) as f32 } else { 0.0 } * 8.0;
+/// The colour at a place on the scale, 0 to 1; lightness grows evenly along it.
+fn viridis(place: f64) -> Colour {
+    let place = if place.is_finite() { place.clamp(0.0, 1.0) as f32 } else { 0.0 } * 8.0;
     let below = (place.floor() as usize).min(7);
     VIRIDIS[below].mix(VIRIDIS[below + 1], place - below as f32)
 }
@@ -127,8 +137,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn utilities_have_the_scale_s_colours() {
-        for (utility, expected) in [
+    fn the_scale_is_viridis() {
+        for (place, expected) in [
             (0.0, 0x440154),
             (0.5, 0x21918c),
             (1.0, 0xfde725),
@@ -137,7 +147,7 @@ mod tests {
             (f64::NAN, 0x440154),
             (0.0625, 0x461768),
         ] {
-            assert_eq!(utility_colour(utility), Colour::rgb(expected), "{utility}");
+            assert_eq!(viridis(place), Colour::rgb(expected), "{place}");
         }
     }
 

@@ -1,7 +1,5 @@
 //! The command that repeats a run.
 
-use std::fmt::Write;
-
 use serde_json::Value;
 
 use super::SessionReport;
@@ -10,21 +8,23 @@ use super::number::value_text;
 
 /// The command line that gives the same trials to the bit on the same build.
 ///
-/// It names the preset, the world and every value that is not the preset's.
+/// It names the preset, the world and every value that is not the preset's; one setting a line, so
+/// that it can be read, printed and pasted into a POSIX shell.
 pub(super) fn repeat_command(report: &SessionReport) -> String {
     let session = &report.session;
-    let mut line = format!("sonarium run {}", quoted(&session.experiment));
-    let _ = write!(line, " --seed {} --trials {}", session.seed, session.trials);
-    let named = [("preset", &session.preset), ("world", &session.world)];
-    for (key, name) in named {
-        let _ = write!(line, " --set {key}={}", quoted(name));
-    }
+    let (seed, trials) = (session.seed, session.trials);
+    let run = format!("sonarium run {} --seed {seed} --trials {trials}", word(&session.experiment));
+    let mut lines = vec![run, set("preset", &session.preset), set("world", &session.world)];
     for (key, value) in &session.settings {
         if key != "preset" && key != "world" && !preset_gives(report, key, value) {
-            let _ = write!(line, " --set {key}={}", quoted(&value_text(value)));
+            lines.push(set(key, &value_text(value)));
         }
     }
-    line
+    lines.join(" \\\n    ")
+}
+
+fn set(key: &str, value: &str) -> String {
+    format!("--set {}", word(&format!("{key}={value}")))
 }
 
 fn preset_gives(report: &SessionReport, key: &str, value: &Value) -> bool {
@@ -34,7 +34,7 @@ fn preset_gives(report: &SessionReport, key: &str, value: &Value) -> bool {
 }
 
 /// The text as one word of a POSIX shell.
-fn quoted(text: &str) -> String {
+fn word(text: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "._-+/:,=@%".contains(c);
     if !text.is_empty() && text.chars().all(plain) {
         text.to_owned()
@@ -50,10 +50,16 @@ mod tests {
 
     #[test]
     fn the_command_names_what_the_preset_does_not_give() {
+        let command = repeat_command(&sample::session_report());
+        let lines: Vec<&str> = command.split(" \\\n    ").collect();
         assert_eq!(
-            repeat_command(&sample::session_report()),
-            "sonarium run minimum-cost-path --seed 7 --trials 20 --set preset=learner \
-             --set world=laboratory --set goal.radius=0.4"
+            lines,
+            [
+                "sonarium run minimum-cost-path --seed 7 --trials 20",
+                "--set preset=learner",
+                "--set world=laboratory",
+                "--set goal.radius=0.4",
+            ]
         );
     }
 
@@ -61,9 +67,7 @@ mod tests {
     fn what_a_preset_gives_is_left_out_and_what_undoes_it_is_named() {
         let mut report = sample::session_report();
         report.preset.settings.insert("band.proposal".into(), Value::from(false));
-        assert!(
-            repeat_command(&report).ends_with("--set band.proposal=true --set goal.radius=0.4")
-        );
+        assert!(repeat_command(&report).contains("--set band.proposal=true"));
         report.session.settings.insert("band.proposal".into(), Value::from(false));
         assert!(!repeat_command(&report).contains("band.proposal"));
     }
@@ -71,14 +75,13 @@ mod tests {
     #[test]
     fn a_word_is_quoted_for_the_shell_only_when_it_must_be() {
         let table = [
-            ("laboratory", "laboratory"),
-            ("0.05", "0.05"),
+            ("goal.radius=0.05", "goal.radius=0.05"),
             ("", "''"),
             ("two words", "'two words'"),
             ("it's; rm", r"'it'\''s; rm'"),
         ];
-        for (text, word) in table {
-            assert_eq!(quoted(text), word);
+        for (text, in_the_shell) in table {
+            assert_eq!(word(text), in_the_shell);
         }
     }
 }

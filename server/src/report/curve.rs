@@ -42,7 +42,7 @@ pub(super) struct Marks<'a> {
 ///
 /// It is small, so that the letters can still be read when it is scaled to the width of a phone.
 const WIDTH: f64 = 420.0;
-const HEIGHT: f64 = 220.0;
+const HEIGHT: f64 = 224.0;
 const LEFT: f64 = 46.0;
 const RIGHT: f64 = 410.0;
 const TOP: f64 = 10.0;
@@ -100,7 +100,7 @@ impl Chart<'_> {
             line class="axis" x1=(LEFT) x2=(RIGHT) y1=(BOTTOM) y2=(BOTTOM) {}
             @for tick in &x.ticks {
                 line class="axis" x1=(x.place(*tick)) x2=(x.place(*tick)) y1=(BOTTOM) y2=(BOTTOM + 4.0) {}
-                text x=(x.place(*tick)) y=(BOTTOM + 18.0) text-anchor="middle" { (fixed(*tick, 0)) }
+                text x=(x.place(*tick)) y=(BOTTOM + 19.0) text-anchor="middle" { (fixed(*tick, 0)) }
             }
             text x=((LEFT + RIGHT) / 2.0) y=(HEIGHT - 6.0) text-anchor="middle" { (self.x_name) }
         }

@@ -20,6 +20,8 @@ mod trial_tables;
 
 #[cfg(test)]
 mod sample;
+#[cfg(test)]
+mod sample_trial;
 
 pub use archive::{ArchiveError, zip};
 pub use csv::{csv, trial_csv};

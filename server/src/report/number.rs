@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::wire::{Speed, State};
+use crate::wire::State;
 
 /// What stands where there is no value.
 pub(super) const NOTHING: &str = "–";
@@ -56,9 +56,15 @@ pub(super) fn value_for_people(value: &Value) -> String {
     match value {
         Value::Bool(true) => "on".to_owned(),
         Value::Bool(false) => "off".to_owned(),
+        Value::Number(number) if number.is_f64() => plain(number.as_f64().unwrap_or(f64::NAN)),
         Value::Number(number) => number.to_string().replace('-', "−"),
         other => value_text(other),
     }
+}
+
+/// A number without decimals that say nothing: `90`, not `90.0`.
+fn plain(value: f64) -> String {
+    value.to_string().replace('-', "−")
 }
 
 /// The state in sentence case.
@@ -73,14 +79,6 @@ pub(super) fn state_text(state: State) -> &'static str {
         State::Finished => "Finished",
         State::Failed => "Failed",
         State::Interrupted => "Interrupted",
-    }
-}
-
-/// The pace with its unit.
-pub(super) fn speed_text(speed: Speed) -> String {
-    match speed {
-        Speed::TicksPerSecond(rate) => format!("{rate} ticks/s"),
-        Speed::Named(_) => "as fast as it goes".to_owned(),
     }
 }
 
@@ -112,6 +110,8 @@ mod tests {
     fn values_read_as_people_write_them() {
         assert_eq!(value_for_people(&Value::from(true)), "on");
         assert_eq!(value_for_people(&Value::from(-0.4)), "−0.4");
+        assert_eq!(value_for_people(&Value::from(90.0)), "90");
+        assert_eq!(value_for_people(&Value::from(-3)), "−3");
         assert_eq!(value_text(&Value::from(-0.4)), "-0.4");
         assert_eq!(value_text(&Value::from("laboratory")), "laboratory");
     }

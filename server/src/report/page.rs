@@ -90,7 +90,7 @@ pub(super) fn table(class: &str, caption: &str, headings: &[Heading], rows: Mark
     html! {
         div class="scroll" role="region" tabindex="0" aria-label=(caption) {
             table class=(class) {
-                caption { (caption) }
+                caption { span { (caption) } }
                 thead {
                     tr {
                         @for heading in headings {

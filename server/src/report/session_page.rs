@@ -6,9 +6,7 @@ use super::SessionReport;
 use super::command::repeat_command;
 use super::curve::{Chart, Marks, Series};
 use super::differences::Differences;
-use super::number::{
-    count_or_nothing, fixed_or_nothing, grouped, speed_text, state_text, time_text,
-};
+use super::number::{count_or_nothing, fixed_or_nothing, grouped, state_text, time_text};
 use super::page::{KeyNumber, facts, figure, key_numbers, page};
 use super::session_tables::{
     differences_tables, events_table, preset_table, settings_table, trials_table,
@@ -45,7 +43,6 @@ pub fn html(report: &SessionReport) -> String {
 
 fn heading(report: &SessionReport) -> Markup {
     let session = &report.session;
-    let when = format!("{} to {}", time_text(&session.created_at), time_text(&session.changed_at));
     html! {
         header {
             h1 { (report.title) ", seed " (session.seed) }
@@ -57,9 +54,8 @@ fn heading(report: &SessionReport) -> Markup {
                 ("Preset", html! { (report.preset.title) " (" code { (session.preset) } ")" }),
                 ("World", html! { (report.world.title) " (" code { (session.world) } ")" }),
                 ("Build", html! { code { (session.build) } }),
-                ("When", html! { (when) }),
-                ("Pace", html! { (speed_text(session.speed)) }),
-                ("Changed settings", html! { (session.changed.len()) " of " (report.settings.len()) }),
+                ("Created", html! { (time_text(&session.created_at)) }),
+                ("Last change of state", html! { (time_text(&session.changed_at)) }),
             ]))
         }
         @if let Some(reason) = &session.reason { p { b { "Why: " } (reason) } }
@@ -142,7 +138,7 @@ fn learning(report: &SessionReport) -> Markup {
         ("Total reinforcement R(n)", "", reached(|trial| trial.total_reinforcement)),
     ];
     html! {
-        section {
+        section class="learning" {
             h2 { "Learning curves" }
             @if report.trials.is_empty() {
                 p { "No trial has ended yet" }

@@ -28,7 +28,9 @@ pub(super) fn trials_table(report: &SessionReport) -> Markup {
         @for trial in &report.trials { (trial_row(trial, report.summary.best_trial)) }
         @if report.trials.is_empty() { tr { td colspan="12" { "No trial has ended yet" } } }
     };
-    table("trials", "R(n) is the sum of the safety part f₁ and the goal part f₂", &HEADINGS, rows)
+    let caption =
+        "R(n) = f₁ + f₂, safety and goal; in brackets what was paid until the trial was capped";
+    table("trials", caption, &HEADINGS, rows)
 }
 
 /// One row of [`trials_table`]; words say what colour and weight say too.
@@ -41,12 +43,13 @@ fn trial_row(trial: &Trial, best: Option<u32>) -> Markup {
         (true, false) => "reached",
         (false, _) => "not reached",
     };
+    let defined = |text: String| if trial.reached_goal { text } else { format!("({text})") };
     html! {
         tr class=[class] {
             th scope="row" class="n" { (trial.trial) }
             td { (outcome) }
-            (number(trial.steps.to_string()))
-            (number(fixed(trial.total_reinforcement, 2)))
+            (number(defined(trial.steps.to_string())))
+            (number(defined(fixed(trial.total_reinforcement, 2))))
             (number(fixed(trial.safety, 2)))
             (number(fixed(trial.goal, 2)))
             (number(trial.collisions.to_string()))
@@ -90,13 +93,19 @@ fn difference_table(caption: &str, group: &[Difference]) -> Markup {
             }
         }
     };
-    table("settings", caption, &HEADINGS, rows)
+    table("differences", caption, &HEADINGS, rows)
 }
 
 /// Every setting with its value.
 pub(super) fn settings_table(report: &SessionReport) -> Markup {
-    const HEADINGS: [Heading; 5] =
-        [words("Setting"), words("Value"), words("Default"), words("Source"), words("Standing")];
+    const HEADINGS: [Heading; 6] = [
+        words("Setting"),
+        words("Value"),
+        words("Default"),
+        words("Meaning"),
+        words("Source"),
+        words("Standing"),
+    ];
     let rows = html! {
         @for (key, value) in &report.session.settings {
             @let info = report.settings.iter().find(|info| info.key == *key);
@@ -104,12 +113,15 @@ pub(super) fn settings_table(report: &SessionReport) -> Markup {
                 td { code { (key) } }
                 td { (value_for_people(value)) (unit(info.map_or("", |info| &info.unit))) }
                 td { (default_mark(info, value)) }
+                td { (info.map_or(NOTHING, |info| &info.meaning)) }
                 td { (info.map_or("", |info| &info.source)) }
                 td { (info.map_or(NOTHING, |info| &info.standing)) }
             }
         }
     };
-    table("settings", "Every setting of this run", &HEADINGS, rows)
+    let (changed, all) = (report.session.changed.len(), report.session.settings.len());
+    let caption = format!("Every setting of this run; {changed} of {all} changed from the default");
+    table("settings", &caption, &HEADINGS, rows)
 }
 
 fn default_mark(info: Option<&SettingInfo>, value: &serde_json::Value) -> Markup {
@@ -133,7 +145,7 @@ pub(super) fn preset_table(preset: &PresetInfo) -> Markup {
         }
     };
     let caption = format!("What the preset {} changes", preset.name);
-    html! { @if !preset.settings.is_empty() { (table("settings", &caption, &HEADINGS, rows)) } }
+    html! { @if !preset.settings.is_empty() { (table("preset", &caption, &HEADINGS, rows)) } }
 }
 
 /// The event log.

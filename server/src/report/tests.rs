@@ -48,6 +48,9 @@ fn column<'a>(table: &'a [Vec<&'a str>], name: &str) -> Vec<&'a str> {
     table[1..].iter().map(|row| row[index]).collect()
 }
 
+/// A column of numbers and where they come from.
+type Column<Row> = (&'static str, fn(&Row) -> f64);
+
 fn bits(cells: &[&str]) -> Vec<u64> {
     cells.iter().map(|cell| cell.parse::<f64>().expect("a number").to_bits()).collect()
 }
@@ -70,7 +73,7 @@ fn the_session_page_is_whole_and_has_its_parts() {
 
 #[test]
 fn the_trial_page_is_whole_and_has_its_parts() {
-    let report = sample::trial_report();
+    let report = sample_trial::trial_report();
     let page = trial_html(&report);
     let tags = open_tags(&page);
     assert_eq!(count(&tags, "h1"), 1);
@@ -84,7 +87,7 @@ fn the_trial_page_is_whole_and_has_its_parts() {
 
 #[test]
 fn pages_need_nothing_from_elsewhere_and_run_nothing() {
-    let pages = [html(&sample::session_report()), trial_html(&sample::trial_report())];
+    let pages = [html(&sample::session_report()), trial_html(&sample_trial::trial_report())];
     for page in pages {
         for word in ["http", "//", "<script", "<link", "url(", "@import", "onload"] {
             let pictures_out = page
@@ -120,7 +123,7 @@ fn hostile_words_stay_words() {
     assert_eq!(count(&open_tags(&page), "img"), 2);
     assert!(page.contains("&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&amp;"));
 
-    let mut report = sample::trial_report();
+    let mut report = sample_trial::trial_report();
     report.title = HOSTILE.into();
     report.ticks[0].region = HOSTILE.into();
     report.ticks[0].source = HOSTILE.into();
@@ -154,7 +157,7 @@ fn a_session_without_trials_still_has_its_report() {
     open_tags(&page);
     assert!(page.contains("No trial has ended yet"));
     assert_eq!(csv(&report).lines().count(), 1);
-    let mut trial = sample::trial_report();
+    let mut trial = sample_trial::trial_report();
     trial.ticks.clear();
     trial.picture = None;
     open_tags(&trial_html(&trial));
@@ -168,10 +171,17 @@ fn trials_csv_reads_back_to_the_same_bits() {
     let table = cells(&text);
     assert_eq!(table.len(), 1 + 20);
     assert!(table.iter().all(|row| row.len() == 15 + 4), "15 columns and 4 regions");
-    let value =
-        |f: fn(&Trial) -> f64| report.trials.iter().map(|t| f(t).to_bits()).collect::<Vec<_>>();
-    assert_eq!(bits(&column(&table, "temperature_deg")), value(|t| t.temperature_deg));
-    assert_eq!(bits(&column(&table, "total_reinforcement")), value(|t| t.total_reinforcement));
+    let columns: [Column<Trial>; 5] = [
+        ("temperature_deg", |t| t.temperature_deg),
+        ("total_reinforcement", |t| t.total_reinforcement),
+        ("safety", |t| t.safety),
+        ("goal", |t| t.goal),
+        ("path_m", |t| t.path_m),
+    ];
+    for (name, value) in columns {
+        let written: Vec<u64> = report.trials.iter().map(|t| value(t).to_bits()).collect();
+        assert_eq!(bits(&column(&table, name)), written, "{name}");
+    }
     assert_eq!(column(&table, "reached_goal")[1], "false");
     assert_eq!(column(&table, "steps_in_corridor")[0], "8");
     assert_eq!(column(&table, "steps_in_door")[0], "0");
@@ -179,23 +189,32 @@ fn trials_csv_reads_back_to_the_same_bits() {
 
 #[test]
 fn trial_csv_reads_back_to_the_same_bits() {
-    let report = sample::trial_report();
+    let report = sample_trial::trial_report();
     let text = trial_csv(&report);
     let table = cells(&text);
     assert_eq!(table.len(), 1 + 29);
     assert!(table.iter().all(|row| row.len() == table[0].len()));
-    let value =
-        |f: fn(&TickView) -> f64| report.ticks.iter().map(|t| f(t).to_bits()).collect::<Vec<_>>();
-    assert_eq!(bits(&column(&table, "x_m")), value(|t| t.pose.x_m));
-    assert_eq!(bits(&column(&table, "sonar_23_m")), value(|t| t.sonar_m[23]));
-    assert_eq!(bits(&column(&table, "safety")), value(|t| t.outcome.safety));
+    let columns: [Column<TickView>; 8] = [
+        ("x_m", |t| t.pose.x_m),
+        ("true_heading_deg", |t| t.true_pose.heading_deg),
+        ("prototypical_deg", |t| t.prototypical_deg),
+        ("action_deg", |t| t.action_deg),
+        ("goal", |t| t.outcome.goal),
+        ("reinforcement", |t| t.outcome.reinforcement),
+        ("total_reinforcement", |t| t.total_reinforcement),
+        ("sonar_23_m", |t| t.sonar_m[23]),
+    ];
+    for (name, value) in columns {
+        let written: Vec<u64> = report.ticks.iter().map(|t| value(t).to_bits()).collect();
+        assert_eq!(bits(&column(&table, name)), written, "{name}");
+    }
     assert_eq!(column(&table, "delta")[0], "", "no past, no error");
     assert_eq!(column(&table, "adaptation")[3], "pending");
 }
 
 #[test]
 fn csv_quotes_what_rfc_4180_says() {
-    let mut report = sample::trial_report();
+    let mut report = sample_trial::trial_report();
     report.ticks.truncate(1);
     report.ticks[0].region = "a \"b\", c\r\nd".into();
     assert!(trial_csv(&report).contains(",\"a \"\"b\"\", c\r\nd\","));
@@ -223,7 +242,7 @@ fn session_json_starts_with_the_contract_and_keeps_all_bits() {
 
 #[test]
 fn trial_json_holds_the_record_all_ticks_and_the_end() {
-    let report = sample::trial_report();
+    let report = sample_trial::trial_report();
     let value: Value = serde_json::from_str(&trial_json(&report)).expect("JSON");
     let ticks: Vec<TickView> = serde_json::from_value(value["ticks"].clone()).expect("ticks");
     let end: TrialEndView = serde_json::from_value(value["end"].clone()).expect("the end");
@@ -234,7 +253,7 @@ fn trial_json_holds_the_record_all_ticks_and_the_end() {
 
 fn archive(report: &SessionReport) -> ::zip::ZipArchive<Cursor<Vec<u8>>> {
     // Trial 2 is lost; every other one is answered with the ticks of the sample.
-    let trial = |number: u32| Ok((number != 2).then(sample::trial_report));
+    let trial = |number: u32| Ok((number != 2).then(sample_trial::trial_report));
     let mut log: &[u8] = b"log";
     let bytes = zip(report, trial, Some(&mut log), Cursor::new(Vec::new())).expect("an archive");
     ::zip::ZipArchive::new(bytes).expect("an archive that opens")
@@ -296,21 +315,24 @@ fn the_same_session_gives_the_same_bytes() {
     );
 }
 
-/// Writes the sample where it can be looked at: `SONARIUM_SAMPLE_DIR=/tmp/x cargo test sample_files`.
+/// Writes the sample files where they can be looked at and printed.
 #[test]
+#[ignore = "SONARIUM_SAMPLE_DIR=FOLDER cargo test -p sonarium sample_files -- --ignored"]
 fn sample_files_can_be_looked_at() {
-    let Some(folder) = std::env::var_os("SONARIUM_SAMPLE_DIR").map(std::path::PathBuf::from) else {
-        return;
-    };
-    let (session, trial) = (sample::session_report(), sample::trial_report());
+    let folder = std::env::var_os("SONARIUM_SAMPLE_DIR").expect("SONARIUM_SAMPLE_DIR is set");
+    let folder = std::path::PathBuf::from(folder);
+    let (session, trial) = (sample::session_report(), sample_trial::trial_report());
     let files = [
         ("report.html", html(&session)),
         ("report.json", json(&session)),
         ("trials.csv", csv(&session)),
         ("004.html", trial_html(&trial)),
+        ("004.json", trial_json(&trial)),
         ("004.csv", trial_csv(&trial)),
     ];
     for (name, text) in files {
         std::fs::write(folder.join(name), text).expect("a folder that can be written");
     }
+    let file = std::fs::File::create(folder.join("report.zip")).expect("a file");
+    zip(&session, |_| Ok(Some(sample_trial::trial_report())), None, file).expect("an archive");
 }

@@ -99,7 +99,7 @@ fn charts(report: &TrialReport) -> Markup {
     html! {
         @if !report.ticks.is_empty() {
             section {
-                h2 { "Step by step, drawn" }
+                h2 { "Reinforcement and clearance" }
                 div class="charts" {
                     (reinforcement_chart(&report.ticks))
                     (nearest_chart(&report.ticks))

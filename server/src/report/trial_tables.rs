@@ -12,7 +12,7 @@ pub(super) fn parts_table(trial: &Trial, ticks: &[TickView]) -> Markup {
         words("Part"),
         numbers("Sum", "reinforcement"),
         numbers("Per step", "mean"),
-        numbers("Steps below 0", ""),
+        numbers("Steps", "below 0"),
     ];
     let per_step = |sum: f64| (trial.steps > 0).then(|| sum / f64::from(trial.steps));
     let paid = |part: fn(&TickView) -> f64| ticks.iter().filter(|tick| part(tick) < 0.0).count();
@@ -79,7 +79,8 @@ fn change_table(
         } @else {
             p class="note" {
                 (changes.len()) @if changes.len() == 1 { " neuron" } @else { " neurons" }
-                ", " (symbol) " before → after" @if !unit.is_empty() { ", " (unit) }
+                ": number, then " (symbol) " before → after"
+                @if !unit.is_empty() { ", " (unit) }
             }
             ul class="changes" {
                 @for change in changes {

@@ -7,8 +7,10 @@ mod experiment;
 mod session;
 mod stream;
 mod tick;
+mod typescript;
 
 pub use experiment::*;
 pub use session::*;
 pub use stream::*;
 pub use tick::*;
+pub use typescript::typescript;

@@ -20,10 +20,23 @@ pub(super) struct Layout {
     pub(super) rim_px: f32,
     /// Where the arena stands.
     pub(super) projection: Projection,
+    /// Left end and baseline of the caption.
+    pub(super) caption: [f32; 2],
     /// Left end and baseline of the scale bar.
     pub(super) scale_bar: [f32; 2],
-    /// Left and top of the legend and its number of columns; none where it would not be legible.
-    pub(super) legend: Option<([f32; 2], usize)>,
+    /// The legend; none where it would not be legible.
+    pub(super) legend: Option<Legend>,
+}
+
+/// Where the legend stands, pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Legend {
+    /// Left and top.
+    pub(super) at: [f32; 2],
+    /// Width of a column.
+    pub(super) column_px: f32,
+    /// Number of columns.
+    pub(super) columns: usize,
 }
 
 /// Below this size (width or height) a picture has no legend and no names.
@@ -99,14 +112,17 @@ impl Sheet {
 
     fn layout(&self, projection: Projection, scale_bar: [f32; 2]) -> Layout {
         let (zoom, font, pad, rim_px) = (self.zoom, self.font, self.pad, self.rim_px());
-        Layout { zoom, font, pad, rim_px, projection, scale_bar, legend: None }
+        let [left, top, ..] = projection.frame();
+        let caption = [left.max(pad), top - rim_px - 0.6 * pad];
+        Layout { zoom, font, pad, rim_px, projection, caption, scale_bar, legend: None }
     }
 
     fn without_legend(&self, bounds_m: [f64; 4]) -> Layout {
-        let bottom = self.height - self.pad - self.bar_px();
+        let strip = self.bar_px() + 0.4 * self.pad;
+        let bottom = self.height - self.pad - strip;
         let projection = self.fit(bounds_m, self.width - self.pad, bottom);
-        let left = projection.frame()[0];
-        self.layout(projection, [left, self.height - self.pad])
+        let [left, _, _, arena_bottom] = projection.frame();
+        self.layout(projection, [left, arena_bottom + self.rim_px() + strip])
     }
 
     fn legend_beside(&self, bounds_m: [f64; 4], entries: &[Entry]) -> Layout {
@@ -119,10 +135,8 @@ impl Sheet {
         let start = ((self.width - group_px) / 2.0).max(self.pad);
         projection.top_left_px[0] = f64::from(start);
         let legend_left = start + arena_right - left + gap;
-        Layout {
-            legend: Some(([legend_left, top], 1)),
-            ..self.layout(projection, [legend_left, bottom])
-        }
+        let legend = Legend { at: [legend_left, top], column_px: column, columns: 1 };
+        Layout { legend: Some(legend), ..self.layout(projection, [legend_left, bottom]) }
     }
 
     fn legend_below(&self, bounds_m: [f64; 4], entries: &[Entry]) -> Layout {
@@ -137,16 +151,14 @@ impl Sheet {
         // A column's width is measured for all; the block of columns may be wider than the arena.
         let block_px = column * columns as f32;
         let left_px = left.min(self.width - self.pad - block_px).max(self.pad);
-        Layout {
-            legend: Some(([left_px, bar + 0.8 * self.pad], columns)),
-            ..self.layout(projection, [left, bar])
-        }
+        let legend = Legend { at: [left_px, bar + 0.8 * self.pad], column_px: column, columns };
+        Layout { legend: Some(legend), ..self.layout(projection, [left, bar]) }
     }
 
     /// Width of the legend's column.
     fn column_px(&self, entries: &[Entry]) -> f32 {
         let widest = entries.iter().map(|entry| text::width_px(&entry.label, self.font));
-        self.font * (SYMBOL + 0.7) + widest.fold(0.0, f32::max) + self.pad
+        self.font * (SYMBOL + 0.7) + widest.fold(0.0, f32::max) + 1.4 * self.pad
     }
 }
 
@@ -180,10 +192,9 @@ impl Canvas<'_> {
     pub(super) fn caption(&self, scene: &mut Scene) {
         let layout = self.layout;
         let size = layout.font * 1.15;
-        let left = self.at.frame()[0].max(layout.pad);
-        let room = scene.width as f32 - left - layout.pad;
+        let room = scene.width as f32 - layout.caption[0] - layout.pad;
         scene.push(Primitive::Text(Text {
-            at: [left, layout.pad + size * CAP_HEIGHT],
+            at: layout.caption,
             text: text::fitted(&self.view.caption, size, room),
             size,
             anchor: Anchor::Start,
@@ -195,7 +206,7 @@ impl Canvas<'_> {
     /// A bar of a round number of metres with its length beside it.
     pub(super) fn scale_bar(&self, scene: &mut Scene) {
         let layout = self.layout;
-        let most_px = (layout.font * 8.0).min(0.3 * scene.width as f32);
+        let most_px = (layout.font * 10.0).min(0.3 * scene.width as f32);
         let (length_m, label) = round_length(f64::from(most_px) / self.at.px_per_m);
         let (length, thick) = (self.at.length(length_m), self.px(2.0).max(1.0));
         let [left, bottom] = layout.scale_bar.map(f32::round);

@@ -1,7 +1,7 @@
 //! The legend: one line for each kind of mark that occurs in the picture.
 
 use super::layout::SYMBOL;
-use super::marks::{arrow, believed_dash, differs};
+use super::marks::{believed_dash, differs, nose};
 use super::paths::{MOST_GHOSTS, best_dash};
 use super::{Canvas, rimmed_stroke};
 use crate::render::scene::{Anchor, Point, Primitive, Scene, Stroke, Text};
@@ -68,13 +68,12 @@ pub(super) fn entries(view: &ArenaView) -> Vec<Entry> {
 /// Draws the legend where the layout has put it.
 pub(super) fn draw(canvas: &Canvas<'_>, entries: &[Entry], scene: &mut Scene) {
     let layout = canvas.layout;
-    let Some(([left, top], columns)) = layout.legend else { return };
-    let lines = entries.len().div_ceil(columns);
-    let column_px = widest_px(canvas, entries);
+    let Some(legend) = layout.legend else { return };
+    let lines = entries.len().div_ceil(legend.columns);
     for (index, entry) in entries.iter().enumerate() {
         let (column, line) = (index / lines, index % lines);
-        let x = left + column as f32 * column_px;
-        let y = top + (line as f32 + 0.5) * layout.line_px();
+        let x = legend.at[0] + column as f32 * legend.column_px;
+        let y = legend.at[1] + (line as f32 + 0.5) * layout.line_px();
         let (from, to) = (x, x + layout.font * SYMBOL);
         canvas.symbol(scene, entry.symbol, [from, y], [to, y]);
         scene.push(Primitive::Text(Text {
@@ -86,12 +85,6 @@ pub(super) fn draw(canvas: &Canvas<'_>, entries: &[Entry], scene: &mut Scene) {
             halo: None,
         }));
     }
-}
-
-fn widest_px(canvas: &Canvas<'_>, entries: &[Entry]) -> f32 {
-    let font = canvas.layout.font;
-    let widest = entries.iter().map(|entry| crate::render::text::width_px(&entry.label, font));
-    font * (SYMBOL + 0.7) + widest.fold(0.0, f32::max) + canvas.layout.pad
 }
 
 impl Canvas<'_> {
@@ -106,17 +99,16 @@ impl Canvas<'_> {
             }
             Symbol::Collision => self.cross(scene, centre),
             Symbol::Robot => {
-                let radius = self.layout.font * 0.55;
+                let radius = self.layout.font * 0.5;
                 scene.ring(centre, radius, self.px(1.8), theme.robot);
-                scene.polygon(arrow(centre, 0.0, radius), theme.robot);
+                scene.polygon(nose(centre, 0.0, radius), theme.robot);
             }
             Symbol::Believed => self.believed_symbol(scene, centre),
             Symbol::Cone => self.cone_symbol(scene, from, to),
             Symbol::Neuron => self.neuron_at(scene, centre, Some(0.5), Some(0.0)),
             Symbol::Winner => {
+                self.winner_ring(scene, centre);
                 self.neuron_at(scene, centre, Some(0.5), None);
-                let width = self.px(2.0);
-                scene.ring(centre, self.layout.font * 0.6, width, theme.ink);
             }
             Symbol::Pending => self.neuron_at(scene, centre, None, Some(0.0)),
             Symbol::Utility => self.utility_symbol(scene, from, to),
@@ -155,9 +147,9 @@ impl Canvas<'_> {
     }
 
     fn utility_symbol(&self, scene: &mut Scene, from: Point, to: Point) {
-        for step in 0..4_u8 {
-            let share = f32::from(step) / 3.0;
-            let inset = self.px(4.0);
+        for step in 0..3_u8 {
+            let share = f32::from(step) / 2.0;
+            let inset = self.px(5.0);
             let x = from[0] + inset + (to[0] - from[0] - 2.0 * inset) * share;
             self.neuron_at(scene, [x, from[1]], Some(f64::from(share)), None);
         }

@@ -2,7 +2,6 @@
 
 use super::{Canvas, rimmed_stroke};
 use crate::render::scene::{Point, Primitive, Scene, Stroke};
-use crate::render::theme::utility_colour;
 use crate::render::view::{NeuronMark, RobotPose, RobotView};
 use std::f32::consts::{FRAC_PI_2, TAU};
 
@@ -61,25 +60,33 @@ impl Canvas<'_> {
         }
     }
 
-    /// Neurons, the winner last so that no other covers it.
+    /// All neurons but the winner.
     pub(super) fn neurons(&self, scene: &mut Scene) {
         for neuron in self.view.neurons.iter().filter(|neuron| !neuron.winner) {
             self.neuron(scene, neuron);
         }
+    }
+
+    /// The winner, ringed.
+    pub(super) fn winners(&self, scene: &mut Scene) {
         for neuron in self.view.neurons.iter().filter(|neuron| neuron.winner) {
+            if let Some(centre) = self.at.place(neuron.at_m) {
+                self.winner_ring(scene, centre);
+            }
             self.neuron(scene, neuron);
         }
+    }
+
+    pub(super) fn winner_ring(&self, scene: &mut Scene, centre: Point) {
+        let radius = self.px(8.5).max(4.0);
+        scene.disc(centre, radius + self.px(2.2), self.theme.background);
+        scene.ring(centre, radius, self.px(2.0).max(1.0), self.theme.ink);
     }
 
     fn neuron(&self, scene: &mut Scene, neuron: &NeuronMark) {
         let Some(centre) = self.at.place(neuron.at_m) else { return };
         let heading = neuron.heading_rad.is_finite().then(|| screen_angle(neuron.heading_rad));
         self.neuron_at(scene, centre, neuron.utility, heading);
-        if neuron.winner {
-            let radius = self.px(9.0).max(4.0);
-            scene.ring(centre, radius, self.px(4.2), self.theme.background);
-            scene.ring(centre, radius, self.px(2.0).max(1.0), self.theme.ink);
-        }
     }
 
     /// A disc that grows and brightens with the utility, hollow while that is pending.
@@ -90,19 +97,21 @@ impl Canvas<'_> {
         utility: Option<f64>,
         heading: Option<f32>,
     ) {
-        let (ink, ground) = (self.theme.ink, self.theme.background);
+        let ink = self.theme.ink.fade(0.85);
         let share = utility.filter(|u| u.is_finite()).unwrap_or(0.3).clamp(0.0, 1.0) as f32;
         let radius = self.px(3.2 + 1.6 * share).max(1.4);
         let line = self.px(0.9).max(0.5);
         if let Some(angle) = heading {
             let tick =
                 vec![toward(centre, angle, radius), toward(centre, angle, radius + self.px(5.5))];
-            scene.stroke(tick, self.px(1.5).max(0.8), ink.fade(0.85));
+            scene.stroke(tick, self.px(1.5).max(0.8), ink);
         }
-        scene.disc(centre, radius + line, ink.fade(0.85));
         match utility {
-            Some(utility) => scene.disc(centre, radius, utility_colour(utility)),
-            None => scene.disc(centre, radius - 0.3 * line, ground),
+            Some(utility) => {
+                scene.disc(centre, radius + line, ink);
+                scene.disc(centre, radius, self.theme.utility(utility));
+            }
+            None => scene.ring(centre, radius, 1.6 * line, ink),
         }
     }
 
@@ -134,31 +143,43 @@ impl Canvas<'_> {
         });
         let turn = [screen_angle(heading) - half, 2.0 * half];
         let cone = self.theme.cone;
-        scene.arc(apex, [0.0, reach], turn, cone.fade(if echo { 0.15 } else { 0.06 }));
+        scene.arc(apex, [0.0, reach], turn, cone.fade(if echo { 0.11 } else { 0.05 }));
         if echo {
             let inner = (reach - self.px(1.6).max(0.9)).max(0.0);
             scene.arc(apex, [inner, reach], turn, cone.fade(0.8));
         }
     }
 
+    /// The robot's floor area, below the neurons it stands on.
+    pub(super) fn shell(&self, scene: &mut Scene) {
+        let Some(robot) = self.view.robot.as_ref() else { return };
+        if let Some(centre) = self.at.place(robot.pose.at_m) {
+            scene.disc(centre, self.shell_px(robot), self.theme.background.fade(0.6));
+        }
+    }
+
+    /// The robot's outline with a nose towards its heading, and the pose it believes in.
     pub(super) fn robot(&self, scene: &mut Scene) {
         let Some(robot) = self.view.robot.as_ref() else { return };
-        let radius = self.at.length(robot.radius_m).max(self.px(4.0));
+        let radius = self.shell_px(robot);
         if differs(robot) {
             self.believed(scene, &robot.believed, radius);
         }
         let Some(centre) = self.at.place(robot.pose.at_m) else { return };
         let edge = if robot.collided { self.theme.collision } else { self.theme.robot };
         let width = self.px(if robot.collided { 3.2 } else { 2.2 }).max(1.0);
-        scene.disc(centre, radius, self.theme.background.fade(0.55));
         scene.ring(centre, radius, width, edge);
         if robot.pose.heading_rad.is_finite() {
             let angle = screen_angle(robot.pose.heading_rad);
-            scene.polygon(arrow(centre, angle, radius - width), edge);
+            scene.polygon(nose(centre, angle, radius), edge);
         }
         if robot.collided {
             self.cross(scene, [centre[0], centre[1] + radius]);
         }
+    }
+
+    fn shell_px(&self, robot: &RobotView) -> f32 {
+        self.at.length(robot.radius_m).max(self.px(4.0))
     }
 
     /// The dashed outline of the pose the robot believes in.
@@ -174,8 +195,8 @@ impl Canvas<'_> {
             ..stroke.clone()
         }));
         if pose.heading_rad.is_finite() {
-            let tip = toward(centre, screen_angle(pose.heading_rad), radius);
-            scene.push(Primitive::Stroke(Stroke { points: vec![centre, tip], ..stroke }));
+            let points = nose(centre, screen_angle(pose.heading_rad), radius);
+            scene.push(Primitive::Stroke(Stroke { points, ..stroke }));
         }
     }
 }
@@ -185,13 +206,12 @@ pub(super) fn believed_dash(width: f32) -> [f32; 2] {
     [2.0 * width, 2.4 * width]
 }
 
-/// A slim arrow head inside the shell.
-pub(super) fn arrow(centre: Point, angle: f32, radius: f32) -> Vec<Point> {
+/// A nose on the front of the shell: inside it would be hidden by neurons and the winner's ring.
+pub(super) fn nose(centre: Point, angle: f32, radius: f32) -> Vec<Point> {
     vec![
-        toward(centre, angle, 0.86 * radius),
-        toward(centre, angle + 2.45, 0.62 * radius),
-        toward(centre, angle, -0.18 * radius),
-        toward(centre, angle - 2.45, 0.62 * radius),
+        toward(centre, angle - 0.42, radius),
+        toward(centre, angle, 1.45 * radius),
+        toward(centre, angle + 0.42, radius),
     ]
 }
 

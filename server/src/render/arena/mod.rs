@@ -1,8 +1,8 @@
 //! The picture of an arena: what is drawn, and in which order.
 //!
-//! From back to front: region tints, goal, ghost paths, sonar cones, best path, path of this trial,
-//! walls, neurons, home, collisions, the robot; a mat around the arena that hides what sticks out;
-//! names, caption, scale bar and legend.
+//! From back to front: region tints, sonar cones, goal, ghost paths, best path, path of this trial,
+//! walls, home, neurons, collisions, the robot, the winner (it often lies under the robot); a mat
+//! around the arena that hides what sticks out; names, caption, scale bar and legend.
 //!
 //! Long sessions stay quick and readable: paths are thinned to steps of about 2 px, and only the
 //! newest [`MOST_GHOSTS`] earlier trials are drawn, fading with age; the legend says so.
@@ -29,16 +29,18 @@ pub fn scene(view: &ArenaView, width: u32, height: u32, theme: ThemeName) -> Sce
     let mut scene = Scene::new(width, height, theme.background);
     let canvas = Canvas { view, theme, layout: &layout, at: layout.projection };
     canvas.regions(&mut scene);
+    canvas.cones(&mut scene);
     canvas.goal(&mut scene);
     canvas.ghosts(&mut scene);
-    canvas.cones(&mut scene);
     canvas.best_path(&mut scene);
     canvas.path(&mut scene);
     canvas.walls(&mut scene);
-    canvas.neurons(&mut scene);
     canvas.home(&mut scene);
+    canvas.shell(&mut scene);
+    canvas.neurons(&mut scene);
     canvas.collisions(&mut scene);
     canvas.robot(&mut scene);
+    canvas.winners(&mut scene);
     canvas.mat(&mut scene);
     canvas.names(&mut scene);
     canvas.caption(&mut scene);

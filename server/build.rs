@@ -1,0 +1,159 @@
+//! Builds the page into `OUT_DIR/site` and notes the commit this program is built from.
+//!
+//! `WEB_DIST` names a folder that already holds a built site; then neither Node nor npm is needed.
+#![allow(clippy::print_stdout, reason = "a build script talks to cargo on stdout")]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+use std::time::SystemTime;
+use std::{env, fs};
+
+/// What the built site depends on, in `web/`.
+const PAGE_SOURCES: [&str; 7] = [
+    "src",
+    "public",
+    "index.html",
+    "package.json",
+    "package-lock.json",
+    "tsconfig.json",
+    "vite.config.ts",
+];
+
+/// What makes a build "dirty" when it differs from the commit, in the repository.
+const PROGRAM_SOURCES: [&str; 7] =
+    ["core", "server", "assets", "web/src", "web/public", "Cargo.toml", "Cargo.lock"];
+
+fn main() -> ExitCode {
+    let repository = PathBuf::from("..");
+    println!("cargo::rustc-env=SONARIUM_COMMIT={}", commit(&repository));
+    match site(&repository.join("web")) {
+        Ok(site) => {
+            println!("cargo::rustc-env=SITE_DIR={}", site.display());
+            ExitCode::SUCCESS
+        }
+        Err(sentence) => {
+            println!("cargo::error={sentence}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Short hash of the commit, with `-dirty` when the sources differ from it; `unknown` without git.
+fn commit(repository: &Path) -> String {
+    for source in PROGRAM_SOURCES {
+        println!("cargo::rerun-if-changed={}", repository.join(source).display());
+    }
+    let Some(hash) = git(repository, &["rev-parse", "--short=10", "HEAD"]) else {
+        return "unknown".to_owned();
+    };
+    for name in ["HEAD", "logs/HEAD"] {
+        if let Some(path) = git(repository, &["rev-parse", "--git-path", name]) {
+            let path = repository.join(path);
+            if path.exists() {
+                println!("cargo::rerun-if-changed={}", path.display());
+            }
+        }
+    }
+    let mut status = vec!["status", "--porcelain", "--untracked-files=no", "--"];
+    status.extend(PROGRAM_SOURCES);
+    match git(repository, &status) {
+        Some(changes) if changes.is_empty() => hash,
+        _ => format!("{hash}-dirty"),
+    }
+}
+
+fn git(repository: &Path, arguments: &[&str]) -> Option<String> {
+    let output = Command::new("git").arg("-C").arg(repository).args(arguments).output().ok()?;
+    let text = String::from_utf8(output.stdout).ok()?;
+    output.status.success().then(|| text.trim().to_owned())
+}
+
+/// Folder of the built site; builds it when its sources are newer.
+fn site(web: &Path) -> Result<PathBuf, String> {
+    println!("cargo::rerun-if-env-changed=WEB_DIST");
+    if let Some(built) = env::var_os("WEB_DIST") {
+        return built_site(Path::new(&built));
+    }
+    for source in PAGE_SOURCES {
+        println!("cargo::rerun-if-changed={}", web.join(source).display());
+    }
+    let out = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set; run cargo")?);
+    let site = out.join("site");
+    let sources = PAGE_SOURCES.iter().filter_map(|source| newest(&web.join(source))).max();
+    if modified(&site.join("index.html")) <= sources {
+        check_node()?;
+        install(web)?;
+        build(web, &site)?;
+    }
+    Ok(site)
+}
+
+fn built_site(folder: &Path) -> Result<PathBuf, String> {
+    println!("cargo::rerun-if-changed={}", folder.display());
+    let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
+    if folder.join("index.html").is_file() {
+        Ok(folder)
+    } else {
+        Err(format!(
+            "WEB_DIST is {}, which holds no index.html; give the full path of a built site, \
+             or unset WEB_DIST to build it with npm.",
+            folder.display()
+        ))
+    }
+}
+
+fn check_node() -> Result<(), String> {
+    let found = Command::new("node").arg("--version").output();
+    let version = found.ok().and_then(|output| String::from_utf8(output.stdout).ok());
+    let version = version.unwrap_or_default();
+    let mut parts = version.trim().trim_start_matches('v').split('.').map(str::parse::<u32>);
+    match (parts.next(), parts.next()) {
+        (Some(Ok(major)), Some(Ok(minor))) if (major, minor) >= (20, 19) => Ok(()),
+        (Some(Ok(_)), _) => Err(needs(&format!("Node {} is too old", version.trim()))),
+        _ => Err(needs("Node was not found")),
+    }
+}
+
+fn needs(what: &str) -> String {
+    format!(
+        "{what}: the page is built with Node 20.19 or newer and npm; install them, \
+         or set WEB_DIST to the full path of an already built site."
+    )
+}
+
+/// Installs what the lock file asks for, when it is newer than what is installed.
+fn install(web: &Path) -> Result<(), String> {
+    let installed = modified(&web.join("node_modules/.package-lock.json"));
+    if installed >= modified(&web.join("package-lock.json")) {
+        return Ok(());
+    }
+    npm(web, &["ci"])
+}
+
+fn build(web: &Path, site: &Path) -> Result<(), String> {
+    let site = site.to_string_lossy();
+    npm(web, &["run", "build", "--", "--emptyOutDir", "--outDir", &site])
+}
+
+/// Runs npm in `web/`; what it says goes to the build log.
+fn npm(web: &Path, arguments: &[&str]) -> Result<(), String> {
+    let program = if cfg!(windows) { "npm.cmd" } else { "npm" };
+    let run = Command::new(program).args(arguments).current_dir(web).output();
+    let output = run.map_err(|error| needs(&format!("npm could not be run ({error})")))?;
+    if output.status.success() {
+        return Ok(());
+    }
+    let said = [output.stdout, output.stderr].concat();
+    eprintln!("{}", String::from_utf8_lossy(&said));
+    Err(format!("`npm {}` failed in web/; its output stands below.", arguments.join(" ")))
+}
+
+/// Newest modification below a path.
+fn newest(path: &Path) -> Option<SystemTime> {
+    let Ok(entries) = fs::read_dir(path) else { return modified(path) };
+    entries.flatten().filter_map(|entry| newest(&entry.path())).max()
+}
+
+fn modified(path: &Path) -> Option<SystemTime> {
+    fs::metadata(path).and_then(|metadata| metadata.modified()).ok()
+}

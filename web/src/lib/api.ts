@@ -1,0 +1,121 @@
+/** The HTTP interface as the page uses it. */
+
+import type {
+  Ack,
+  ExperimentInfo,
+  NeuronView,
+  NewSession,
+  Problem,
+  Session,
+  Speed,
+  StepUnit,
+  ThemeName,
+} from './protocol';
+
+const ROOT = '/api/v1';
+
+/** A refusal by the server, or no answer at all (`status` 0). */
+export class Refusal extends Error {
+  readonly problem: Problem;
+
+  constructor(problem: Problem) {
+    super(`${problem.title}: ${problem.detail}`);
+    this.problem = problem;
+  }
+}
+
+/** The problem behind any error. */
+export function problemOf(error: unknown): Problem {
+  if (error instanceof Refusal) return error.problem;
+  return local('The page ran into an error', String(error));
+}
+
+export const experiments = () => call<ExperimentInfo[]>('GET', 'experiments');
+export const sessions = () => call<Session[]>('GET', 'sessions');
+export const createSession = (asked: NewSession) => call<Session>('POST', 'sessions', asked);
+export const session = (id: string) => call<Session>('GET', path(id));
+export const deleteSession = (id: string) => call<null>('DELETE', path(id));
+export const neuron = (id: string, which: number) =>
+  call<NeuronView>('GET', `${path(id)}/neurons/${which}`);
+
+/** A control of a session; `step` may go to the end of the trial. */
+export type Control = 'start' | 'pause' | 'resume' | 'step' | 'stop' | 'reset';
+
+export function control(id: string, name: Control, unit?: StepUnit): Promise<Ack> {
+  return call<Ack>('POST', `${path(id)}/${name}`, unit && { unit });
+}
+
+export const setSpeed = (id: string, speed: Speed) =>
+  call<Ack>('POST', `${path(id)}/speed`, { speed });
+
+/** Address of a report or log of the session, e.g. `report.html`. */
+export const sessionFile = (id: string, name: string) => `${ROOT}/${path(id)}/${name}`;
+
+/** Address of a report of one trial. */
+export const trialFile = (id: string, trial: number, ending: string) =>
+  `${ROOT}/${path(id)}/trials/${trial}/report.${ending}`;
+
+/** Address of a picture of one trial's path. */
+export function trialPicture(id: string, trial: number, size: Size, theme: ThemeName): string {
+  return `${ROOT}/${path(id)}/arena.png?${query({ ...size, trial, theme })}`;
+}
+
+/** Address of a picture of an experiment's world. */
+export function worldPicture(name: string, size: Size, theme: ThemeName, world: string): string {
+  const asked = query({ ...size, theme, world });
+  return `${ROOT}/experiments/${encodeURIComponent(name)}/picture.png?${asked}`;
+}
+
+/** Address of the stream, going on after event `since` if given. */
+export function streamAddress(id: string, since: number | null): string {
+  const address = new URL(`${ROOT}/${path(id)}/stream`, location.href);
+  address.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
+  if (since !== null) address.searchParams.set('since', String(since));
+  return address.href;
+}
+
+/** Pixels of a picture. */
+export interface Size {
+  width: number;
+  height: number;
+}
+
+const path = (id: string) => `sessions/${encodeURIComponent(id)}`;
+
+function query(parts: Record<string, string | number>): string {
+  return new URLSearchParams(
+    Object.entries(parts).map(([key, value]) => [key, String(value)]),
+  ).toString();
+}
+
+async function call<T>(method: string, where: string, body?: unknown): Promise<T> {
+  const response = await fetch(`${ROOT}/${where}`, request(method, body)).catch(() => {
+    throw new Refusal(local('No answer from the server', 'Check that sonarium is running.'));
+  });
+  if (!response.ok) throw new Refusal(await refusalOf(response));
+  const text = await response.text();
+  return (text ? JSON.parse(text) : null) as T;
+}
+
+function request(method: string, body: unknown): RequestInit {
+  if (body === undefined) return { method };
+  return { method, body: JSON.stringify(body), headers: { 'content-type': 'application/json' } };
+}
+
+async function refusalOf(response: Response): Promise<Problem> {
+  try {
+    const problem = (await response.json()) as Partial<Problem>;
+    return {
+      ...local(problem.title ?? '', problem.detail ?? ''),
+      ...problem,
+      status: response.status,
+    };
+  } catch {
+    const detail = response.statusText || 'The answer could not be read.';
+    return { ...local(`The server answered ${response.status}`, detail), status: response.status };
+  }
+}
+
+function local(title: string, detail: string): Problem {
+  return { type: 'about:blank', title, status: 0, detail, field: null };
+}

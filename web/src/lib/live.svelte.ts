@@ -1,0 +1,200 @@
+/** One session as the page sees it: what the stream told, and how the connection stands. */
+
+import * as api from './api';
+import { advance, FIRST, type Link, type LinkEvent } from './connection';
+import { addLog, addTrials, trialsOf } from './history';
+import type {
+  ArenaRequest,
+  ClientMessage,
+  LogEntry,
+  NeuronView,
+  Problem,
+  ServerMessage,
+  Session,
+  TickView,
+  Trial,
+  WorldView,
+} from './protocol';
+
+/** Samples a second that the page asks for. */
+const RATES = { tick: 15, depths: 30, neurons: 4 };
+
+/** A session that is watched. */
+export class LiveSession {
+  readonly id: string;
+  session = $state.raw<Session | null>(null);
+  world = $state.raw<WorldView | null>(null);
+  trials = $state.raw<Trial[]>([]);
+  neurons = $state.raw<NeuronView[]>([]);
+  tick = $state.raw<TickView | null>(null);
+  sonar_m = $state.raw<number[]>([]);
+  log = $state.raw<LogEntry[]>([]);
+  link = $state.raw<Link>(FIRST);
+  /** The session cannot be shown at all; status 404 when there is none. */
+  problem = $state.raw<Problem | null>(null);
+  /** Events that were missed before the history was sent again. */
+  gap = $state.raw<string | null>(null);
+  /** What the server could not use of the page's last message. */
+  complaint = $state.raw<string | null>(null);
+
+  #socket: WebSocket | null = null;
+  #timer: ReturnType<typeof setTimeout> | null = null;
+  #seq: number | null = null;
+  #arena: ArenaRequest | null = null;
+  #onpicture: (picture: Blob) => void = () => {};
+
+  constructor(id: string) {
+    this.id = id;
+  }
+
+  /** Connects, and keeps connecting until [`close`](LiveSession.close). */
+  async open(): Promise<void> {
+    try {
+      const session = await api.session(this.id);
+      if (this.link.phase === 'closed') return;
+      this.session = session;
+      this.problem = null;
+      this.#connect();
+    } catch (error) {
+      this.#refused(api.problemOf(error));
+    }
+  }
+
+  /** Ends the connection for good. */
+  close(): void {
+    this.#follow({ kind: 'closed' });
+    if (this.#timer !== null) clearTimeout(this.#timer);
+    this.#socket?.close();
+    this.#onpicture = () => {};
+  }
+
+  /** Tries again now. */
+  retry(): void {
+    if (this.#timer !== null) clearTimeout(this.#timer);
+    this.#due();
+  }
+
+  /** Asks for arena pictures of this size; `null` for none. */
+  showArena(asked: ArenaRequest | null, onpicture: (picture: Blob) => void): void {
+    this.#arena = asked;
+    this.#onpicture = onpicture;
+    this.#subscribe();
+  }
+
+  /** Sends a control and notes what it led to. */
+  async control(name: api.Control, unit?: 'tick' | 'trial') {
+    const ack = await api.control(this.id, name, unit);
+    await this.#refreshWithoutStream();
+    return ack;
+  }
+
+  /** Changes the pace. */
+  async setSpeed(speed: Session['speed']) {
+    const ack = await api.setSpeed(this.id, speed);
+    await this.#refreshWithoutStream();
+    return ack;
+  }
+
+  /** While the stream is open it alone tells the state, in order. */
+  async #refreshWithoutStream(): Promise<void> {
+    if (this.link.phase !== 'open') this.session = await api.session(this.id);
+  }
+
+  #connect(): void {
+    const socket = new WebSocket(api.streamAddress(this.id, this.#seq));
+    socket.binaryType = 'blob';
+    this.#socket = socket;
+    socket.onopen = () => this.#subscribe();
+    socket.onclose = () => this.#lost();
+    socket.onmessage = ({ data }) => {
+      this.#follow({ kind: 'greeted' });
+      if (typeof data === 'string') this.#take(JSON.parse(data) as ServerMessage);
+      else this.#onpicture(data as Blob);
+    };
+  }
+
+  #subscribe(): void {
+    if (this.#socket?.readyState !== WebSocket.OPEN) return;
+    const arena = this.#arena ?? { rate: 0, width: 64, height: 64, theme: 'light' };
+    const message: ClientMessage = { type: 'subscribe', ...RATES, arena };
+    this.#socket.send(JSON.stringify(message));
+  }
+
+  #take(message: ServerMessage): void {
+    if ('seq' in message) this.#seq = message.seq;
+    switch (message.type) {
+      case 'hello':
+        this.session = message.session;
+        this.world = message.world;
+        this.trials = message.trials;
+        this.neurons = message.neurons;
+        this.tick = message.tick;
+        this.sonar_m = message.tick?.sonar_m ?? [];
+        this.log = message.log;
+        break;
+      case 'state':
+        this.#takeState(message.session);
+        break;
+      case 'tick':
+        this.tick = message.tick;
+        break;
+      case 'depths':
+        this.sonar_m = message.sonar_m;
+        break;
+      case 'neurons':
+        this.neurons = message.neurons;
+        break;
+      case 'trial':
+        this.trials = addTrials(this.trials, message.trials);
+        break;
+      case 'curve':
+        // The trials carry the same points and more.
+        break;
+      case 'log':
+        this.log = addLog(this.log, message.entries);
+        break;
+      case 'gap':
+        this.gap = `Events ${message.since + 1} to ${message.oldest - 1} were missed while the connection was lost; the whole history was loaded again`;
+        break;
+      case 'error':
+        this.complaint = message.message;
+        break;
+    }
+  }
+
+  #takeState(session: Session): void {
+    this.session = session;
+    this.trials = trialsOf(session, this.trials);
+    if (session.tick > 0) return;
+    this.tick = null;
+    this.sonar_m = [];
+    this.neurons = [];
+  }
+
+  #lost(): void {
+    this.#socket = null;
+    this.#follow({ kind: 'lost', now: Date.now(), chance: Math.random() });
+    if (this.link.phase !== 'waiting') return;
+    this.#timer = setTimeout(() => this.#due(), this.link.until - Date.now());
+  }
+
+  #due(): void {
+    this.#timer = null;
+    this.#follow({ kind: 'due' });
+    if (this.link.phase === 'connecting') void this.open();
+  }
+
+  #refused(problem: Problem): void {
+    if (problem.status === 404) {
+      this.close();
+      this.problem = problem;
+    } else {
+      if (!this.session) this.problem = problem;
+      this.#lost();
+    }
+  }
+
+  #follow(event: LinkEvent): void {
+    this.link = advance(this.link, event);
+  }
+}

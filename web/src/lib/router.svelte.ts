@@ -1,0 +1,47 @@
+/** Which page the address asks for. */
+
+/** A page. */
+export type Route = { page: 'home' } | { page: 'session'; id: string } | { page: 'unknown' };
+
+/** The page behind a path. */
+export function routeOf(path: string): Route {
+  if (path === '/') return { page: 'home' };
+  const id = /^\/sessions\/([^/]+)\/?$/.exec(path)?.[1];
+  return id ? { page: 'session', id: decodeURIComponent(id) } : { page: 'unknown' };
+}
+
+class Router {
+  route = $state.raw<Route>(routeOf(location.pathname));
+
+  constructor() {
+    addEventListener('popstate', () => this.#follow());
+  }
+
+  /** Goes to a page of this site. */
+  go(path: string): void {
+    history.pushState(null, '', path);
+    this.#follow();
+    scrollTo(0, 0);
+  }
+
+  /** Follows a plain click on a link within the page, without loading it anew. */
+  click(event: MouseEvent): void {
+    const link = event.target instanceof Element ? event.target.closest('a') : null;
+    const other = event.ctrlKey || event.metaKey || event.shiftKey || event.button !== 0;
+    if (!link || other || link.target || link.hasAttribute('download')) return;
+    const { origin, pathname, hash } = new URL(link.href);
+    if (origin !== location.origin || hash || routeOf(pathname).page === 'unknown') return;
+    event.preventDefault();
+    this.go(pathname);
+  }
+
+  #follow(): void {
+    this.route = routeOf(location.pathname);
+  }
+}
+
+/** The page's address. */
+export const router = new Router();
+
+/** Address of a session's page. */
+export const sessionPath = (id: string) => `/sessions/${encodeURIComponent(id)}`;
