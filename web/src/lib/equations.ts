@@ -49,25 +49,25 @@ function adaptation(tick: TickView, settings: Settings): Equation[] {
   return [
     {
       gives: 'TD error',
-      symbols: 'δ = r + γ u_j − u_i',
+      symbols: 'δ = r + γ uⱼ − uᵢ',
       numbers: `${number(reinforcement)} + ${discount} · (${number(present_utility)}) − (${number(utility_before)}) = ${number(delta)}`,
       source: '5.19',
     },
     {
       gives: `Utility of neuron ${past.past}`,
-      symbols: 'u_i ← u_i + η δ',
+      symbols: 'uᵢ ← uᵢ + η δ',
       numbers: `${number(utility_before)} + ${brief(past.utility_rate)} · (${number(delta)}) = ${number(utility_after)}`,
       source: '5.20',
     },
     {
       gives: `Mean of neuron ${past.past}`,
-      symbols: 'μ_i ← μ_i + β δ e',
+      symbols: 'μᵢ ← μᵢ + β δ e',
       numbers: `${degrees(past.mean_before_deg)} → ${degrees(past.mean_after_deg)}, e = ${brief(past.eligibility)} per degree`,
       source: '5.23, 5.24',
     },
     {
       gives: `Centre of neuron ${past.past}`,
-      symbols: 'c_i ← c_i + ε (x − c_i)',
+      symbols: 'cᵢ ← cᵢ + ε (x − cᵢ)',
       numbers: `moved by ${number(past.centre_shift, 4)}`,
       source: '5.25',
     },

@@ -143,7 +143,7 @@ function drawNeuron(
   context.lineWidth = 1.5;
   context.beginPath();
   context.moveTo(x, y);
-  context.lineTo(x + 15 * Math.cos(heading), y - 15 * Math.sin(heading));
+  arrow(context, x, y, heading);
   context.stroke();
   context.fillStyle = fill;
   context.lineWidth = neuron.id === map.winner ? 2.5 : 1;
@@ -170,6 +170,18 @@ function drawRing(
   context.beginPath();
   context.arc(frame.x(neuron.birth.pose.x_m), frame.y(neuron.birth.pose.y_m), 12, 0, 2 * Math.PI);
   context.stroke();
+}
+
+/** Path of an arrow from a place in a heading, counter-clockwise from the right. */
+function arrow(context: CanvasRenderingContext2D, x: number, y: number, heading: number): void {
+  const along = (length: number, turn: number): [number, number] => [
+    x + length * Math.cos(heading + turn),
+    y - length * Math.sin(heading + turn),
+  ];
+  context.lineTo(...along(16, 0));
+  context.moveTo(...along(12, 0.3));
+  context.lineTo(...along(16, 0));
+  context.lineTo(...along(12, -0.3));
 }
 
 const CORNERS: Partial<Record<Shape, [number, number]>> = {

@@ -1,0 +1,25 @@
+import { expect, it } from 'vitest';
+
+import { addLog, addTrials, LOG_LINES, trialsOf } from './history';
+import { sampleSession, sampleTrial } from './sample';
+
+const trials = (...numbers: number[]) => numbers.map((number) => sampleTrial(number));
+const numbers = (list: { trial: number }[]) => list.map(({ trial }) => trial);
+
+it('adds trials in order and none twice', () => {
+  expect(numbers(addTrials(trials(1, 2), trials(3, 4)))).toEqual([1, 2, 3, 4]);
+  expect(numbers(addTrials(trials(1, 2, 3), trials(2, 3, 4)))).toEqual([1, 2, 3, 4]);
+  expect(numbers(addTrials(trials(1), []))).toEqual([1]);
+});
+
+it('takes back the trials of a session that was reset', () => {
+  expect(trialsOf(sampleSession({ trials_done: 0 }), trials(1, 2))).toEqual([]);
+  expect(numbers(trialsOf(sampleSession({ trials_done: 2 }), trials(1, 2)))).toEqual([1, 2]);
+});
+
+it('keeps the newest lines of the log', () => {
+  const line = (tick: number) => ({ at: '', tick, kind: 'trial', text: '' });
+  const full = Array.from({ length: LOG_LINES }, (_, index) => line(index));
+  const next = addLog(full, [line(1000)]);
+  expect([next.length, next[0]?.tick, next.at(-1)?.tick]).toEqual([LOG_LINES, 1, 1000]);
+});

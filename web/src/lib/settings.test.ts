@@ -1,0 +1,86 @@
+import { describe, expect, it } from 'vitest';
+
+import type { ExperimentInfo, SettingInfo } from './protocol';
+import { changed, grouped, parsed, parsedSeed, range, said, unreadable } from './settings';
+
+function setting(key: string, kind: string, value: number | string | boolean): SettingInfo {
+  return {
+    key,
+    kind,
+    meaning: `What ${key} means`,
+    unit: '1',
+    default: value,
+    min: 0,
+    max: 2,
+    choices: [],
+    source: 'Eq. (5.9)',
+    standing: 'literal',
+  };
+}
+
+const noise = setting('sonar.noise', 'number', 0.01);
+const rays = setting('sonar.rays', 'integer', 5);
+const learning = setting('learner.learning', 'switch', true);
+const info = {
+  settings: [setting('preset', 'choice', 'learner'), noise, rays, learning],
+} as unknown as ExperimentInfo;
+const preset = { name: 'quiet', title: '', summary: '', settings: { 'sonar.noise': 0 } };
+
+describe('settings that are sent', () => {
+  it.each([
+    ['nothing typed', {}, {}],
+    ['the preset’s own value', { 'sonar.noise': '0' }, {}],
+    ['the default where the preset differs', { 'sonar.noise': '0.01' }, { 'sonar.noise': 0.01 }],
+    ['a switch', { 'learner.learning': false }, { 'learner.learning': false }],
+    ['what cannot be read', { 'sonar.noise': 'much', 'sonar.rays': '2.5' }, {}],
+  ])('%s', (_, typed, sent) => {
+    expect(changed(info, preset, typed)).toEqual(sent);
+  });
+
+  it('names what cannot be read', () => {
+    expect(unreadable(info, { 'sonar.noise': '', 'sonar.rays': '7' })).toEqual(['sonar.noise']);
+  });
+});
+
+it('reads numbers as people type them', () => {
+  expect(['0,5', ' 1e-3 ', '−2', 'x', ''].map((text) => parsed(noise, text))).toEqual([
+    0.5,
+    0.001,
+    -2,
+    null,
+    null,
+  ]);
+  expect(parsed(rays, '2.5')).toBeNull();
+});
+
+it('reads seeds up to 2⁵³ − 1', () => {
+  expect(['', '42', '9007199254740991', '9007199254740992', '-1', '1.5'].map(parsedSeed)).toEqual([
+    undefined,
+    42,
+    9007199254740991,
+    null,
+    null,
+    null,
+  ]);
+});
+
+it('groups by prefix and searches every word, but not preset and world', () => {
+  const keys = (search: string) =>
+    grouped(info.settings, search).map((group) => [group.name, group.settings.length]);
+  expect(keys('')).toEqual([
+    ['sonar', 2],
+    ['learner', 1],
+  ]);
+  expect(keys('noise literal')).toEqual([['sonar', 1]]);
+  expect(keys('nothing')).toEqual([]);
+});
+
+it('says ranges and values', () => {
+  expect(range({ ...noise, unit: 'm' })).toBe('0 to 2 m');
+  expect([said(true), said(-3), said('after-rescue'), said(undefined)]).toEqual([
+    'on',
+    '−3',
+    'after-rescue',
+    '–',
+  ]);
+});
