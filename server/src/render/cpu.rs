@@ -1,7 +1,7 @@
 //! The back end that needs no graphics driver, on `vello_cpu`.
 
 use super::scene::{Colour, Primitive, Scene, Sector, Stroke, Text};
-use super::{Pixels, RenderError, text};
+use super::{MOST_KEPT_PX, Pixels, RenderError, text};
 use vello_cpu::kurbo::{self, BezPath, Cap, Join, Shape};
 use vello_cpu::peniko::Color;
 use vello_cpu::{Pixmap, RenderContext, Resources};
@@ -37,6 +37,9 @@ impl CpuBackend {
         context.flush();
         context.render(&mut target, &mut self.resources);
         let rgba = target.data_as_u8_slice().to_vec();
+        if scene.width * scene.height > MOST_KEPT_PX {
+            *self = Self::default();
+        }
         Ok(Pixels { width: scene.width, height: scene.height, rgba })
     }
 }

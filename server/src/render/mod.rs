@@ -33,6 +33,9 @@ use std::str::FromStr;
 /// Greatest width and height of a picture, pixels.
 pub const LARGEST_PX: u32 = 4096;
 
+/// Memory for larger pictures than this, in pixels, is given back after each.
+const MOST_KEPT_PX: u32 = 2048 * 2048;
+
 /// The bytes of a PNG file; cloning shares them.
 pub type Picture = axum::body::Bytes;
 

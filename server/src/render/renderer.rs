@@ -222,3 +222,41 @@ impl Surface {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_survives_the_loss_of_the_device() {
+        let mut painter = Painter::open(Backend::GpuAny, Arc::default());
+        let Surface::Gpu(gpu) = &painter.surface else {
+            eprintln!("a_picture_survives_the_loss_of_the_device: NO ADAPTER, nothing was tried");
+            return;
+        };
+        gpu.lose();
+        let (view, theme, quality) = (ArenaView::default(), ThemeName::Dark, Quality::Fast);
+        let order = Order { view, width: 64, height: 48, theme, quality };
+        assert!(painter.fill(&order).is_ok());
+        assert!(matches!(painter.surface, Surface::Gpu(_)), "the device was opened anew");
+    }
+
+    #[tokio::test]
+    async fn a_lost_thread_is_an_error() {
+        let (requests, inbox) = sync_channel(1);
+        let renderer = Renderer { requests, backend_name: Arc::default() };
+        drop(inbox);
+        let (view, theme, quality) = (ArenaView::default(), ThemeName::Light, Quality::Fast);
+        let picture = renderer.picture(view, 9, 9, theme, quality).await;
+        assert!(matches!(picture, Err(RenderError::Lost)), "{picture:?}");
+    }
+
+    #[test]
+    fn a_full_inbox_refuses_more() {
+        let (requests, _inbox) = sync_channel(0);
+        let renderer = Renderer { requests, backend_name: Arc::default() };
+        let (view, theme, quality) = (ArenaView::default(), ThemeName::Light, Quality::Fast);
+        let picture = renderer.picture_blocking(view, 9, 9, theme, quality);
+        assert!(matches!(picture, Err(RenderError::Busy { .. })), "{picture:?}");
+    }
+}

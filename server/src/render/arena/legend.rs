@@ -50,7 +50,7 @@ pub(super) fn entries(view: &ArenaView) -> Vec<Entry> {
         (robot.is_some(), Symbol::Robot, text("robot")),
         (robot.is_some_and(differs), Symbol::Believed, text("believed pose")),
         (robot.is_some_and(|r| !r.sonar_m.is_empty()), Symbol::Cone, text("sonar reading")),
-        (!neurons.is_empty(), Symbol::Neuron, text("neuron and its action")),
+        (!neurons.is_empty(), Symbol::Neuron, text("neuron, prototypical action")),
         (neurons.iter().any(|n| n.winner), Symbol::Winner, text("winner")),
         (neurons.iter().any(|n| n.utility.is_none()), Symbol::Pending, text("utility pending")),
         (

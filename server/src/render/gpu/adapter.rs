@@ -22,40 +22,47 @@ pub fn gpu_available() -> bool {
     find(AdapterChoice::Any).is_ok()
 }
 
-/// The best adapter of the kind asked for.
+/// The best adapter of the kind asked for. OpenGL is tried only where Vulkan has none.
 pub(super) fn find(choice: AdapterChoice) -> Result<Adapter, RenderError> {
-    let backends = wgpu::Backends::VULKAN | wgpu::Backends::GL;
+    let mut found = Vec::new();
+    for backends in [wgpu::Backends::VULKAN, wgpu::Backends::GL] {
+        let mut adapters = adapters(backends);
+        found.extend(adapters.iter().map(|adapter| adapter.get_info().name));
+        adapters.retain(|adapter| fits(adapter, choice));
+        // Equals keep the order of the driver's loader.
+        if let Some(best) = adapters.into_iter().min_by_key(|adapter| rank(&adapter.get_info())) {
+            return Ok(best);
+        }
+    }
+    Err(none_fits(&found))
+}
+
+fn adapters(backends: wgpu::Backends) -> Vec<Adapter> {
     let mut description = wgpu::InstanceDescriptor::new_without_display_handle();
     description.backends = backends;
     // Vulkan's validation layers cost time and are not installed on most machines.
     description.flags = wgpu::InstanceFlags::empty();
-    let instance = wgpu::Instance::new(description);
-    let mut adapters = pollster::block_on(instance.enumerate_adapters(backends));
-    let found = adapters.iter().map(|adapter| adapter.get_info().name).collect::<Vec<_>>();
-    adapters.retain(|adapter| {
-        let info = adapter.get_info();
-        can_draw(adapter) && (choice == AdapterChoice::Any || is_hardware(&info))
-    });
-    // The order of adapters is the loader's, so equals keep their place.
-    adapters.sort_by_key(|adapter| rank(&adapter.get_info()));
-    adapters.into_iter().next().ok_or_else(|| none_fits(&found))
+    pollster::block_on(wgpu::Instance::new(description).enumerate_adapters(backends))
 }
 
 fn none_fits(found: &[String]) -> RenderError {
     RenderError::NoAdapter(if found.is_empty() {
         format!("no graphics adapter was found; to use one, {INSTALL}")
     } else {
+        let mut names = found.to_vec();
+        names.dedup();
         format!(
             "no real graphics adapter was found, only {}; SONARIUM_RENDERER=gpu-any uses it; for a \
              real one, {INSTALL}",
-            found.join(", ")
+            names.join(", ")
         )
     })
 }
 
-/// Polygons and glyphs are read from a storage buffer in the fragment stage.
-fn can_draw(adapter: &Adapter) -> bool {
-    adapter.limits().max_storage_buffers_per_shader_stage >= 1
+fn fits(adapter: &Adapter, choice: AdapterChoice) -> bool {
+    // Polygons and glyphs are read from a storage buffer in the fragment stage.
+    let can_draw = adapter.limits().max_storage_buffers_per_shader_stage >= 1;
+    can_draw && (choice == AdapterChoice::Any || is_hardware(&adapter.get_info()))
 }
 
 fn is_hardware(info: &AdapterInfo) -> bool {
@@ -68,15 +75,14 @@ fn is_simulated(name: &str) -> bool {
     ["llvmpipe", "softpipe", "swiftshader", "lavapipe", "swrast"].iter().any(|s| name.contains(s))
 }
 
-fn rank(info: &AdapterInfo) -> (u8, u8) {
-    let kind = match info.device_type {
+fn rank(info: &AdapterInfo) -> u8 {
+    match info.device_type {
         _ if !is_hardware(info) => 4,
         DeviceType::DiscreteGpu => 0,
         DeviceType::IntegratedGpu => 1,
         DeviceType::VirtualGpu => 2,
         DeviceType::Other | DeviceType::Cpu => 3,
-    };
-    (kind, u8::from(info.backend != wgpu::Backend::Vulkan))
+    }
 }
 
 /// What went wrong with a device since it was opened; its callbacks write, drawing reads.

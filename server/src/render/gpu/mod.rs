@@ -5,7 +5,7 @@ mod pipeline;
 mod shapes;
 
 use super::scene::Scene;
-use super::{Pixels, RenderError};
+use super::{MOST_KEPT_PX, Pixels, RenderError};
 use adapter::Trouble;
 pub use adapter::{AdapterChoice, gpu_available};
 use pipeline::{Memory, Pipeline};
@@ -68,7 +68,9 @@ impl GpuBackend {
         target.read_back(&mut encoder);
         self.queue.submit([encoder.finish()]);
         let pixels = self.pixels(&target, scene.width, scene.height);
-        self.target = Some(target);
+        // A large target is given back; nobody looks at such pictures several times a second.
+        let is_large = scene.width * scene.height > MOST_KEPT_PX;
+        self.target = Some(target).filter(|_| !is_large && pixels.is_ok());
         pixels
     }
 
