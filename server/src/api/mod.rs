@@ -107,6 +107,7 @@ pub fn router(app: App, address: SocketAddr) -> Router {
         .route("/metrics", get(status::metrics))
         .with_state(app)
         .merge(openapi::page(document))
+        .merge(crate::site::router())
         .layer(DefaultBodyLimit::max(LARGEST_BODY))
         .layer(middleware::from_fn(guard::body_size))
         .layer(CompressionLayer::new().compress_when(not_packed_twice))
