@@ -14,5 +14,4 @@ pub mod learner;
 pub mod rng;
 pub mod robot;
 pub mod settings;
-pub mod stats;
 pub mod world;

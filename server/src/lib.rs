@@ -1,7 +1,24 @@
 //! Sonarium's server: sessions, storage, HTTP, WebSocket, rendering, reports and the command line.
 
+pub mod api;
+pub mod catalog;
+pub mod cli;
+mod clock;
+mod process;
 pub mod render;
 pub mod report;
+pub mod session;
 pub mod site;
 pub mod store;
+pub mod stream;
 pub mod wire;
+
+/// Program version and commit.
+#[must_use]
+pub fn build() -> String {
+    format!(
+        "{} ({})",
+        env!("CARGO_PKG_VERSION"),
+        option_env!("SONARIUM_COMMIT").unwrap_or("unknown")
+    )
+}

@@ -1,45 +1,36 @@
-//! stub: signatures the rest of the house can rely on
-use crate::geometry::Pose;
-use crate::learner::{Birth, NeuronId, Tick, TrialEnd};
-use crate::settings::{SettingError, Spec, Value};
-use crate::world::World;
-use serde::{Deserialize, Serialize};
+//! The minimum-cost path of chapter 5: a B21 learns its way from home to the goal.
+
 use std::sync::Arc;
 
-/// All settings of the experiment; `Settings::default()` is the default preset.
-#[derive(Clone, Debug, PartialEq, Default)]
-pub struct Settings {}
-impl Settings {
-    /// Table of all settings.
-    pub fn specs() -> &'static [Spec] {
-        todo!()
-    }
-    /// Value by key.
-    pub fn get(&self, _key: &str) -> Option<Value> {
-        todo!()
-    }
-    /// Sets one; checks type and range.
-    pub fn set(&mut self, _key: &str, _value: &Value) -> Result<(), SettingError> {
-        todo!()
-    }
-}
+use serde::{Deserialize, Serialize};
+
+use super::Settings;
+use crate::control::Reflex;
+use crate::geometry::{Pose, Vec2};
+use crate::learner::{
+    Birth, Consequence, Decision, Learner, LearnerSettings, Memory, Neuron, NeuronId, Observation,
+    Outcome, RewardSettings, Tick, TrialEnd, TrialRecord, reinforcement,
+};
+use crate::rng::{Purpose, stream};
+use crate::robot::{B21, Contact, Motion, Sensed};
+use crate::world::World;
 
 /// A neuron as others may look at it.
 #[derive(Clone, Copy, Debug)]
 pub struct NeuronRef<'a> {
-    /// Its number.
+    /// Its number in the session.
     pub id: NeuronId,
-    /// Index of its region.
+    /// Index of the network it belongs to; that of its region, unless there is one network only.
     pub region: usize,
-    /// Centre c.
+    /// Centre `c`: 24 sonars, 8 distance units.
     pub centre: &'a [f64; 32],
-    /// Prototypical action p, radians.
+    /// Prototypical action `p`, radians, in the frame of the setting `learner.action_frame`.
     pub prototypical_rad: f64,
-    /// Heading that p meant at its birth pose.
+    /// Heading that `p` meant at its birth pose, radians.
     pub heading_rad: f64,
-    /// Mean, degrees.
+    /// Mean `μ`, degrees.
     pub mean_deg: f64,
-    /// Utility; none while pending.
+    /// Utility `u`; none while pending.
     pub utility: Option<f64>,
     /// Times it won.
     pub wins: u32,
@@ -47,66 +38,375 @@ pub struct NeuronRef<'a> {
     pub birth: &'a Birth,
 }
 
-/// Everything needed to go on after a finished trial; serde-serialisable (postcard, JSON).
+/// Everything needed to go on after a finished trial. Random streams are derived anew.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Checkpoint {}
+pub struct Checkpoint {
+    memory: Memory,
+}
+
 impl Checkpoint {
     /// Trials done.
+    #[must_use]
     pub fn trials_done(&self) -> u32 {
-        todo!()
+        self.memory.trials()
     }
-    /// Last tick.
+
+    /// Ticks done.
+    #[must_use]
     pub fn tick(&self) -> u64 {
-        todo!()
+        self.memory.ticks()
     }
 }
 
-/// The settings do not fit the world, or a checkpoint does not fit.
+/// Settings or a checkpoint that do not fit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SetupError {
-    /// e.g. a checkpoint of another world
-    #[error("x")]
-    X,
+    /// Two settings that contradict each other.
+    #[error("`{key}` must be {expected}, not {found}")]
+    Contradiction {
+        /// The setting at fault.
+        key: &'static str,
+        /// What would be right.
+        expected: String,
+        /// What it is.
+        found: String,
+    },
+    /// The checkpoint has networks for another number of regions.
+    #[error("the checkpoint has {found} networks, but the world has {expected} regions")]
+    OtherWorld {
+        /// Regions of the world.
+        expected: usize,
+        /// Networks of the checkpoint.
+        found: usize,
+    },
+}
+
+impl SetupError {
+    /// The field at fault.
+    #[must_use]
+    pub fn field(&self) -> &str {
+        match self {
+            Self::Contradiction { key, .. } => key,
+            Self::OtherWorld { .. } => "checkpoint",
+        }
+    }
+}
+
+/// What is counted during a trial.
+#[derive(Clone, Debug, Default)]
+struct Tally {
+    steps: u32,
+    safety: f64,
+    goal: f64,
+    collisions: u32,
+    path_m: f64,
+    region_steps: Vec<u32>,
+    first_tick: u64,
+}
+
+impl Tally {
+    fn new(regions: usize) -> Self {
+        Self { region_steps: vec![0; regions], ..Self::default() }
+    }
 }
 
 /// The experiment as a state machine, one control step at a time.
-pub struct MinimumCostPath {}
+#[derive(Debug)]
+pub struct MinimumCostPath {
+    world: Arc<World>,
+    reward: RewardSettings,
+    step_cap: u32,
+    seed: u64,
+    robot: B21,
+    learner: Learner,
+    /// What is sensed and not yet decided upon; none between trials.
+    observation: Option<Observation>,
+    reflectance_pct: f64,
+    tally: Tally,
+    tick: Option<Tick>,
+    end: Option<TrialEnd>,
+}
+
 impl MinimumCostPath {
-    /// A new run, empty network.
-    pub fn new(_world: Arc<World>, _settings: &Settings, _seed: u64) -> Result<Self, SetupError> {
-        todo!()
+    /// A new run with empty networks.
+    ///
+    /// # Errors
+    /// When two settings contradict each other.
+    pub fn new(world: Arc<World>, settings: &Settings, seed: u64) -> Result<Self, SetupError> {
+        check(settings)?;
+        let learner = Learner::new(
+            LearnerSettings::from(settings),
+            Reflex::new(settings.reflex()),
+            world.regions().len(),
+            world.goal().centre,
+            stream(seed, 0, Purpose::Exploration),
+        );
+        Ok(Self::with(world, settings, seed, learner))
     }
-    /// Goes on after a checkpoint, to the same bits a run that was never stopped gives.
+
+    /// Goes on after a checkpoint, to the same bits that a run never stopped gives.
+    ///
+    /// # Errors
+    /// When two settings contradict each other, or the checkpoint is of a world with other regions.
     pub fn resume(
-        _world: Arc<World>,
-        _settings: &Settings,
-        _seed: u64,
-        _checkpoint: &Checkpoint,
+        world: Arc<World>,
+        settings: &Settings,
+        seed: u64,
+        checkpoint: &Checkpoint,
     ) -> Result<Self, SetupError> {
-        todo!()
+        check(settings)?;
+        let memory = checkpoint.memory.clone();
+        let (expected, found) = (world.regions().len(), memory.networks().len());
+        if expected != found {
+            return Err(SetupError::OtherWorld { expected, found });
+        }
+        let rng = stream(seed, memory.trials(), Purpose::Exploration);
+        let learner = Learner::remember(
+            LearnerSettings::from(settings),
+            Reflex::new(settings.reflex()),
+            world.goal().centre,
+            memory,
+            rng,
+        );
+        Ok(Self::with(world, settings, seed, learner))
     }
-    /// One control step. `Some(end)` when the trial ended with it; the next step begins the next trial.
+
+    fn with(world: Arc<World>, settings: &Settings, seed: u64, learner: Learner) -> Self {
+        Self {
+            robot: B21::new(Arc::clone(&world), settings.robot(), seed),
+            reward: LearnerSettings::from(settings).reward,
+            step_cap: settings.step_cap,
+            seed,
+            learner,
+            observation: None,
+            reflectance_pct: 0.0,
+            tally: Tally::new(world.regions().len()),
+            world,
+            tick: None,
+            end: None,
+        }
+    }
+
+    /// One control step: sense, adapt, decide, move. The second part is there when the trial ended
+    /// with it; the next step then begins the next trial at home.
     pub fn step(&mut self) -> (&Tick, Option<&TrialEnd>) {
-        todo!()
+        let observation = match self.observation.take() {
+            Some(observation) => observation,
+            None => self.begin_trial(),
+        };
+        let true_pose = self.robot.true_pose();
+        let reflectance_pct = self.reflectance_pct;
+        let decision = self.learner.decide(&observation);
+        let motion = self.robot.act(decision.rotation_rad);
+        let sensed = self.robot.sense();
+        self.reflectance_pct = sensed.reflectance_pct;
+        let outcome = self.judge(&sensed, &motion);
+        self.count(&observation, &outcome, true_pose.position());
+        let tick = self.explain(&observation, decision, outcome, true_pose, reflectance_pct);
+        let over = outcome.reached_goal || self.tally.steps >= self.step_cap;
+        self.end = over.then(|| self.end_trial(outcome.reached_goal, tick.tick));
+        if !over {
+            self.observation = Some(self.observe(&sensed, motion.contact));
+        }
+        (self.tick.insert(tick), self.end.as_ref())
     }
-    /// State after the last finished trial; `None` while a trial is under way.
+
+    /// State after the last finished trial; none while a trial is under way.
+    #[must_use]
     pub fn checkpoint(&self) -> Option<Checkpoint> {
-        todo!()
+        let between = self.observation.is_none();
+        between.then(|| Checkpoint { memory: self.learner.memory().clone() })
     }
+
     /// Trials done.
+    #[must_use]
     pub fn trials_done(&self) -> u32 {
-        todo!()
+        self.learner.memory().trials()
     }
+
     /// Last tick done.
+    #[must_use]
     pub fn tick(&self) -> u64 {
-        todo!()
+        self.learner.memory().ticks()
     }
-    /// All neurons, by region and then by age.
+
+    /// True pose of the robot; home before the first step of a trial.
+    #[must_use]
+    pub fn true_pose(&self) -> Pose {
+        if self.observation.is_some() { self.robot.true_pose() } else { self.world.home() }
+    }
+
+    /// All neurons, by network and then by age.
     pub fn neurons(&self) -> impl Iterator<Item = NeuronRef<'_>> {
-        std::iter::empty()
+        let networks = self.learner.memory().networks().iter().enumerate();
+        networks.flat_map(move |(region, network)| {
+            network.neurons().iter().map(move |neuron| self.look_at(region, neuron))
+        })
     }
-    /// Home pose etc. of the robot before the first step.
-    pub fn pose(&self) -> Pose {
-        todo!()
+
+    fn look_at<'a>(&'a self, region: usize, neuron: &'a Neuron) -> NeuronRef<'a> {
+        NeuronRef {
+            id: neuron.id,
+            region,
+            centre: &neuron.centre,
+            prototypical_rad: neuron.prototypical_rad,
+            heading_rad: self.learner.heading_of(neuron),
+            mean_deg: neuron.mean_deg,
+            utility: neuron.known_utility(),
+            wins: neuron.wins,
+            birth: &neuron.birth,
+        }
     }
+
+    fn begin_trial(&mut self) -> Observation {
+        self.robot.begin_trial(self.learner.memory().trials());
+        self.tally = Tally::new(self.world.regions().len());
+        self.tally.first_tick = self.learner.memory().ticks() + 1;
+        let sensed = self.robot.sense();
+        self.reflectance_pct = sensed.reflectance_pct;
+        self.observe(&sensed, Contact::None)
+    }
+
+    fn observe(&self, sensed: &Sensed, contact: Contact) -> Observation {
+        let pose = self.robot.pose();
+        Observation {
+            sonar_m: sensed.sonar_m,
+            pose,
+            region: self.world.region_at(pose.position()),
+            contact,
+        }
+    }
+
+    /// The reinforcement of what the last action led to.
+    fn judge(&mut self, sensed: &Sensed, motion: &Motion) -> Outcome {
+        let pose = self.robot.pose();
+        let bearing_rad = pose.bearing_to(self.world.goal().centre);
+        let reinforcement =
+            reinforcement(&self.reward, &sensed.sonar_m, motion.contact, bearing_rad);
+        self.learner.consequence(&Consequence {
+            sonar_m: sensed.sonar_m,
+            pose,
+            moved: motion.moved,
+            reinforcement,
+        });
+        Outcome {
+            true_pose: self.robot.true_pose(),
+            pose,
+            contact: motion.contact,
+            backed_m: motion.backed_m,
+            moved: motion.moved,
+            reinforcement,
+            reached_goal: self.robot.at_goal(),
+        }
+    }
+
+    fn count(&mut self, observation: &Observation, outcome: &Outcome, from: Vec2) {
+        let tally = &mut self.tally;
+        tally.steps += 1;
+        tally.safety += outcome.reinforcement.safety;
+        tally.goal += outcome.reinforcement.goal;
+        tally.collisions += u32::from(outcome.contact != Contact::None);
+        tally.path_m += outcome.true_pose.distance_to(from);
+        tally.region_steps[observation.region] += 1;
+    }
+
+    fn explain(
+        &self,
+        observation: &Observation,
+        decision: Decision,
+        outcome: Outcome,
+        true_pose: Pose,
+        reflectance_pct: f64,
+    ) -> Tick {
+        let memory = self.learner.memory();
+        Tick {
+            tick: memory.ticks(),
+            trial: memory.trials() + 1,
+            step: self.learner.step(),
+            true_pose,
+            pose: observation.pose,
+            sonar_m: observation.sonar_m,
+            reflectance_pct,
+            goal_distance_m: decision.goal_distance_m,
+            goal_bearing_rad: decision.goal_bearing_rad,
+            region: observation.region,
+            winner: decision.winner,
+            born: decision.born,
+            reflex: decision.reflex,
+            adaptation: decision.adaptation,
+            neuron: decision.neuron,
+            prototypical_rad: decision.prototypical_rad,
+            utility: decision.utility,
+            exploration: decision.exploration,
+            source: decision.source,
+            action_rad: decision.action_rad,
+            rotation_rad: decision.rotation_rad,
+            outcome,
+            neurons: memory.neurons(),
+            total_reinforcement: self.tally.safety + self.tally.goal,
+        }
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "at most two neurons a step")]
+    fn end_trial(&mut self, reached_goal: bool, last_tick: u64) -> TrialEnd {
+        let memory = self.learner.memory();
+        let trial = memory.trials() + 1;
+        let temperature_deg = self.learner.temperature_deg();
+        let born = self.learner.born() as u32;
+        let next = stream(self.seed, trial, Purpose::Exploration);
+        let changes = self.learner.end_trial(reached_goal, next);
+        let tally = std::mem::take(&mut self.tally);
+        let record = TrialRecord {
+            trial,
+            steps: tally.steps,
+            total_reinforcement: tally.safety + tally.goal,
+            safety: tally.safety,
+            goal: tally.goal,
+            neurons: self.learner.memory().neurons(),
+            born,
+            forgotten: changes.forgotten.len() as u32,
+            collisions: tally.collisions,
+            reached_goal,
+            record: changes.record,
+            temperature_deg,
+            path_m: tally.path_m,
+            region_steps: tally.region_steps,
+            first_tick: tally.first_tick,
+            last_tick,
+        };
+        TrialEnd {
+            record,
+            backed_up: changes.backed_up,
+            replaced: changes.replaced,
+            proposed: changes.proposed,
+            forgotten: changes.forgotten,
+        }
+    }
+}
+
+/// Checks what no single setting can.
+fn check(settings: &Settings) -> Result<(), SetupError> {
+    let below = |key, least: f64, most: f64, than: &str| {
+        if least < most {
+            return Ok(());
+        }
+        Err(SetupError::Contradiction {
+            key,
+            expected: format!("less than `{than}` ({most})"),
+            found: format!("{least}"),
+        })
+    };
+    below("reflex.front_near", settings.front_near_m, settings.front_free_m, "reflex.front_free")?;
+    below("reflex.side_near", settings.side_near_m, settings.side_free_m, "reflex.side_free")?;
+    if settings.temperature_min_deg > settings.temperature_max_deg {
+        return Err(SetupError::Contradiction {
+            key: "learner.temperature_min",
+            expected: format!(
+                "at most `learner.temperature_max` ({})",
+                settings.temperature_max_deg
+            ),
+            found: format!("{}", settings.temperature_min_deg),
+        });
+    }
+    Ok(())
 }

@@ -1,5 +1,7 @@
 //! Every experiment as data: name, settings, seed, result.
 
 mod minimum_cost_path;
+mod settings;
 
-pub use minimum_cost_path::{Checkpoint, MinimumCostPath, NeuronRef, Settings, SetupError};
+pub use minimum_cost_path::{Checkpoint, MinimumCostPath, NeuronRef, SetupError};
+pub use settings::Settings;

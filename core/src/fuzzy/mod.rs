@@ -1,1 +1,7 @@
-//! Fuzzy sets and inference.
+//! Fuzzy sets and inference, section 2.6.
+
+mod mamdani;
+mod sets;
+
+pub use mamdani::{Inference, centre_of_area};
+pub use sets::{Triangle, falling};

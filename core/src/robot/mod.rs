@@ -1,5 +1,11 @@
 //! Robots and their sensors.
 
+mod b21;
+mod motion;
+
+pub use b21::{B21, B21Settings, SONARS, Sensed};
+pub use motion::Motion;
+
 /// What the body touched.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Contact {

@@ -1,0 +1,95 @@
+//! What the learner keeps from trial to trial.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Birth, Input, LearnerSettings, Network, Neuron, NeuronId, annealing};
+
+/// All that outlives a trial: the networks and what steers them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Memory {
+    /// One network a region, in the world's order.
+    pub(super) networks: Vec<Network>,
+    /// Number of the next neuron.
+    next_neuron: u32,
+    /// `T(n)` of the present trial, degrees.
+    pub(super) temperature_deg: f64,
+    /// Best total reinforcement of a successful trial.
+    pub(super) best: Option<f64>,
+    /// Trials done.
+    pub(super) trials: u32,
+    /// Ticks done.
+    pub(super) ticks: u64,
+}
+
+impl Memory {
+    /// The memory of a learner that has seen nothing, for a number of regions.
+    pub(super) fn empty(settings: &LearnerSettings, regions: usize) -> Self {
+        Self {
+            networks: vec![Network::default(); regions],
+            next_neuron: 0,
+            temperature_deg: annealing::initial(settings),
+            best: None,
+            trials: 0,
+            ticks: 0,
+        }
+    }
+
+    /// Adds a neuron with mean and utility; once a trial has succeeded the utility is only a guess
+    /// until the trial ends (section 5.9, Exceptions).
+    pub(super) fn add(
+        &mut self,
+        network: usize,
+        centre: Input,
+        start: Start,
+        birth: Birth,
+    ) -> NeuronId {
+        let id = NeuronId(self.next_neuron);
+        self.next_neuron += 1;
+        self.networks[network].add(Neuron {
+            id,
+            centre,
+            prototypical_rad: start.prototypical_rad,
+            mean_deg: start.mean_deg,
+            utility: start.utility,
+            pending: self.best.is_some(),
+            wins: 1,
+            birth,
+        });
+        id
+    }
+
+    /// Trials done.
+    #[must_use]
+    pub fn trials(&self) -> u32 {
+        self.trials
+    }
+
+    /// Ticks done.
+    #[must_use]
+    pub fn ticks(&self) -> u64 {
+        self.ticks
+    }
+
+    /// The networks, in the order of the world's regions.
+    #[must_use]
+    pub fn networks(&self) -> &[Network] {
+        &self.networks
+    }
+
+    /// Neurons in all networks.
+    #[must_use]
+    pub fn neurons(&self) -> usize {
+        self.networks.iter().map(|network| network.neurons().len()).sum()
+    }
+}
+
+/// The first values of a neuron's parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Start {
+    /// `p`, radians, in the action frame.
+    pub(super) prototypical_rad: f64,
+    /// `μ`, degrees.
+    pub(super) mean_deg: f64,
+    /// `u`.
+    pub(super) utility: f64,
+}

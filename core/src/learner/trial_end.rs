@@ -1,0 +1,150 @@
+//! What is learned when a trial ends: back-tracking, replacement, proposals, forgetting.
+
+use super::band::chords;
+use super::{Change, LearnerSettings, MeanUpdate, Memory, NeuronId, Replacement};
+use crate::geometry::{Vec2, wrap_angle};
+
+/// One step of the path, as remembered until the trial ends (section 5.9, Back Tracking).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PathStep {
+    /// Network of the neuron in charge.
+    pub(super) network: usize,
+    /// `i(t)`.
+    pub(super) neuron: NeuronId,
+    /// `α(t)`, radians, in the action frame.
+    pub(super) action_rad: f64,
+    /// Direction of the action frame's zero in the odometry frame, radians.
+    pub(super) frame_rad: f64,
+    /// `r(t+1)`.
+    pub(super) reinforcement: f64,
+    /// Its safety part, Eq. (5.6).
+    pub(super) safety: f64,
+    /// Believed displacement, metres.
+    pub(super) moved: Vec2,
+    /// Unit vector away from the nearest obstacle after the step.
+    pub(super) away: Vec2,
+}
+
+impl PathStep {
+    /// Safety penalty paid, 0 to 1.
+    pub(super) fn paid(&self) -> f64 {
+        (-self.safety).clamp(0.0, 1.0)
+    }
+}
+
+/// What changed at the end of a trial.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Changes {
+    /// The trial set a record.
+    pub(crate) record: bool,
+    /// Eq. (5.26).
+    pub(crate) backed_up: Vec<Change>,
+    /// Eq. (5.28), radians.
+    pub(crate) replaced: Vec<Change>,
+    /// A1, degrees.
+    pub(crate) proposed: Vec<Change>,
+    /// D3.
+    pub(crate) forgotten: Vec<NeuronId>,
+}
+
+/// Closes a trial in memory.
+pub(super) fn close(
+    settings: &LearnerSettings,
+    memory: &mut Memory,
+    path: &[PathStep],
+    born: &[(usize, NeuronId)],
+    reached_goal: bool,
+) -> Changes {
+    // Eq. (5.27): R(n) = Σ_t r(t)
+    let total: f64 = path.iter().map(|step| step.reinforcement).sum();
+    let record = reached_goal && memory.best.is_none_or(|best| total > best);
+    let mut changes = Changes { record, ..Changes::default() };
+    if record {
+        memory.best = Some(total);
+        changes.replaced = replace(settings, memory, path);
+        if matches!(settings.mean_update, MeanUpdate::Band | MeanUpdate::Both) {
+            changes.proposed = propose(settings, memory, path);
+        }
+    }
+    if reached_goal && settings.backtrack {
+        changes.backed_up = back_up(memory, path);
+    }
+    if !record && settings.forget_unrecorded && memory.best.is_some() {
+        changes.forgotten = forget(memory, born);
+    }
+    for (network, id) in born {
+        if let Some(neuron) = memory.networks[*network].get_mut(*id) {
+            neuron.pending = false;
+        }
+    }
+    changes
+}
+
+/// Steps in the order of replacement: what comes last stays.
+fn replacement_order(settings: &LearnerSettings, steps: usize) -> Box<dyn Iterator<Item = usize>> {
+    match settings.replacement {
+        Replacement::Forward => Box::new(0..steps),
+        Replacement::Backward => Box::new((0..steps).rev()),
+        Replacement::Off => Box::new(std::iter::empty()),
+    }
+}
+
+fn replace(settings: &LearnerSettings, memory: &mut Memory, path: &[PathStep]) -> Vec<Change> {
+    let mut changes = Vec::new();
+    for t in replacement_order(settings, path.len()) {
+        let step = &path[t];
+        if let Some(neuron) = memory.networks[step.network].get_mut(step.neuron) {
+            let before = neuron.prototypical_rad;
+            // Eq. (5.28): p(i(t)) ← α(t)
+            neuron.prototypical_rad = step.action_rad;
+            note(&mut changes, step.neuron, before, step.action_rad);
+        }
+    }
+    changes
+}
+
+/// A1: `μ_i = arg z_t - p_i` at the last visit to each neuron.
+fn propose(settings: &LearnerSettings, memory: &mut Memory, path: &[PathStep]) -> Vec<Change> {
+    let mut changes = Vec::new();
+    for (step, chord) in path.iter().zip(chords(settings, path)) {
+        let Some(direction_rad) = chord else { continue };
+        if let Some(neuron) = memory.networks[step.network].get_mut(step.neuron) {
+            let before = neuron.mean_deg;
+            let aim_rad = direction_rad - step.frame_rad;
+            neuron.mean_deg = wrap_angle(aim_rad - neuron.prototypical_rad).to_degrees();
+            note(&mut changes, step.neuron, before, neuron.mean_deg);
+        }
+    }
+    changes
+}
+
+fn back_up(memory: &mut Memory, path: &[PathStep]) -> Vec<Change> {
+    let mut changes = Vec::new();
+    let mut to_goal = 0.0;
+    for step in path.iter().rev() {
+        // Eq. (5.26): u(i(t-1)) ← r(t) + u(i(t))
+        to_goal += step.reinforcement;
+        if let Some(neuron) = memory.networks[step.network].get_mut(step.neuron) {
+            let before = neuron.utility;
+            neuron.utility = to_goal;
+            neuron.pending = false;
+            note(&mut changes, step.neuron, before, to_goal);
+        }
+    }
+    changes
+}
+
+/// NOTE (D3): the thesis keeps them; here neurons born in a trial that set no record are deleted, so
+/// that they cannot win situations on the record path later.
+fn forget(memory: &mut Memory, born: &[(usize, NeuronId)]) -> Vec<NeuronId> {
+    let gone = |(network, id): &&(usize, NeuronId)| memory.networks[*network].forget(*id);
+    born.iter().filter(gone).map(|(_, id)| *id).collect()
+}
+
+/// Remembers a change, once a neuron: the first "before" and the last "after".
+fn note(changes: &mut Vec<Change>, neuron: NeuronId, before: f64, after: f64) {
+    match changes.iter_mut().find(|change| change.neuron == neuron) {
+        Some(change) => change.after = after,
+        None => changes.push(Change { neuron, before, after }),
+    }
+}

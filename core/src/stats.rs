@@ -1,1 +1,0 @@
-//! Means, intervals, verdicts.

@@ -1,0 +1,232 @@
+//! The experiment as a whole: what it promises, on the laboratory of the thesis.
+
+use std::sync::Arc;
+
+use sonarium_core::experiment::{Checkpoint, MinimumCostPath, Settings};
+use sonarium_core::geometry::wrap_angle;
+use sonarium_core::learner::{ActionSource, Adaptation, BirthCause, Tick, TrialEnd, TrialRecord};
+use sonarium_core::settings::Value;
+use sonarium_core::world::{World, WorldFile};
+
+fn laboratory() -> Arc<World> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/worlds/laboratory.toml");
+    let text = std::fs::read_to_string(path).expect("the laboratory is among the assets");
+    let file: WorldFile = toml::from_str(&text).expect("the laboratory is a world file");
+    let radius_m = Settings::default().robot().radius_m;
+    Arc::new(World::new(&file, radius_m).expect("the laboratory is a good world"))
+}
+
+fn with(changes: &[(&str, Value)]) -> Settings {
+    let mut settings = Settings::default();
+    for (key, value) in changes {
+        settings.set(key, value).expect("a good setting");
+    }
+    settings
+}
+
+fn choice(name: &str) -> Value {
+    Value::Choice(name.into())
+}
+
+/// Runs trials and hands every tick and trial end to the caller.
+fn run(
+    experiment: &mut MinimumCostPath,
+    trials: u32,
+    mut look: impl FnMut(&Tick, Option<&TrialEnd>),
+) -> Vec<TrialRecord> {
+    let mut records = Vec::new();
+    while experiment.trials_done() < trials {
+        let (tick, end) = experiment.step();
+        look(tick, end);
+        records.extend(end.map(|end| end.record.clone()));
+    }
+    records
+}
+
+fn records(settings: &Settings, seed: u64, trials: u32) -> Vec<TrialRecord> {
+    let mut experiment = MinimumCostPath::new(laboratory(), settings, seed).expect("fits");
+    run(&mut experiment, trials, |_, _| {})
+}
+
+/// Mean over seeds of something in the last of 20 trials.
+fn mean_at_the_end(
+    settings: &Settings,
+    seeds: std::ops::Range<u64>,
+    of: fn(&TrialRecord) -> f64,
+) -> f64 {
+    let values: Vec<f64> =
+        seeds.map(|seed| of(records(settings, seed, 20).last().expect("20 trials"))).collect();
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+#[test]
+fn the_same_seed_gives_the_same_bits_and_another_seed_does_not() {
+    let settings = Settings::default();
+    let ticks = |seed| {
+        let mut ticks = Vec::new();
+        let mut experiment = MinimumCostPath::new(laboratory(), &settings, seed).expect("fits");
+        run(&mut experiment, 6, |tick, _| ticks.push(tick.clone()));
+        ticks
+    };
+    let first = ticks(11);
+    assert_eq!(first, ticks(11));
+    assert_ne!(first, ticks(12));
+}
+
+#[test]
+fn a_run_resumed_from_any_trial_goes_on_to_the_same_bits() {
+    let settings = with(&[("odometry.drift", Value::Number(0.01))]);
+    let world = laboratory();
+    let mut whole = MinimumCostPath::new(Arc::clone(&world), &settings, 5).expect("fits");
+    let mut ticks = Vec::new();
+    let mut checkpoints: Vec<Checkpoint> = Vec::new();
+    while whole.trials_done() < 8 {
+        let (tick, end) = whole.step();
+        let ended = end.is_some();
+        ticks.push(tick.clone());
+        assert_eq!(whole.checkpoint().is_some(), ended, "checkpoints exist between trials only");
+        checkpoints.extend(whole.checkpoint());
+    }
+    for checkpoint in checkpoints {
+        let text = serde_json::to_string(&checkpoint).expect("a checkpoint can be written");
+        let read: Checkpoint = serde_json::from_str(&text).expect("and read");
+        let mut resumed =
+            MinimumCostPath::resume(Arc::clone(&world), &settings, 5, &read).expect("fits");
+        let from = read.tick() as usize;
+        let mut rest = Vec::new();
+        run(&mut resumed, 8, |tick, _| rest.push(tick.clone()));
+        assert_eq!(rest, ticks[from..], "resumed after trial {}", read.trials_done());
+    }
+}
+
+#[test]
+fn the_default_preset_learns_and_holds_what_it_learned() {
+    let settings = Settings::default();
+    let seeds = 40_000..40_030;
+    let mut last_five_failed = 0;
+    for seed in seeds.clone() {
+        let trials = records(&settings, seed, 20);
+        last_five_failed += trials[15..].iter().filter(|trial| !trial.reached_goal).count();
+        let first = trials[0].steps;
+        assert!((30..=50).contains(&first), "trial 1 is reflex-like: {first} steps (seed {seed})");
+    }
+    assert_eq!(last_five_failed, 0);
+    let steps = mean_at_the_end(&settings, seeds.clone(), |trial| f64::from(trial.steps));
+    assert!(steps <= 29.0, "{steps} steps in the last trial");
+    let learned = mean_at_the_end(&settings, seeds.clone(), |trial| trial.total_reinforcement);
+    let reflex = with(&[("learner.learning", Value::Switch(false))]);
+    let control = mean_at_the_end(&reflex, seeds, |trial| trial.total_reinforcement);
+    assert!(learned > control + 15.0, "learned {learned}, reflex {control}");
+}
+
+#[test]
+fn without_replacement_nothing_is_held() {
+    let settings = with(&[("learner.replacement", choice("off"))]);
+    let seeds = 41_000..41_010;
+    let total = mean_at_the_end(&settings, seeds, |trial| trial.total_reinforcement);
+    assert!(total < -20.0, "{total}");
+}
+
+#[test]
+fn the_bare_reflex_grows_no_network() {
+    let settings = with(&[("learner.learning", Value::Switch(false))]);
+    for trial in records(&settings, 3, 3) {
+        assert_eq!((trial.neurons, trial.born), (0, 0));
+    }
+}
+
+#[test]
+fn every_tick_adds_up() {
+    let settings = Settings::default();
+    let mut experiment = MinimumCostPath::new(laboratory(), &settings, 8).expect("fits");
+    let mut total = 0.0;
+    let mut last_tick = 0;
+    run(&mut experiment, 10, |tick, end| {
+        assert_eq!(tick.tick, last_tick + 1);
+        last_tick = tick.tick;
+        total += tick.outcome.reinforcement.total();
+        assert!((tick.total_reinforcement - total).abs() < 1e-9, "R so far, tick {}", tick.tick);
+        if tick.source == ActionSource::Network {
+            let alpha = tick.prototypical_rad + tick.exploration.xi_deg.to_radians();
+            assert!(wrap_angle(alpha - tick.action_rad).abs() < 1e-12, "Eq. (5.15)");
+            let heading = tick.pose.heading_rad + tick.rotation_rad;
+            assert!(wrap_angle(heading - tick.action_rad).abs() < 1e-12, "the action frame");
+        }
+        if let Adaptation::Updated(update) = tick.adaptation {
+            let delta = update.reinforcement + 0.7 * update.present_utility - update.utility_before;
+            assert!((update.delta - delta).abs() < 1e-12, "Eq. (5.19)");
+            let after = update.utility_before + update.utility_rate * update.delta;
+            assert!((update.utility_after - after).abs() < 1e-12, "Eq. (5.20)");
+        }
+        if end.is_some() {
+            total = 0.0;
+        }
+    });
+}
+
+#[test]
+fn a_situation_that_turns_out_far_better_gets_its_own_neuron() {
+    let settings = with(&[("learner.split_threshold", Value::Number(1.0))]);
+    let mut experiment = MinimumCostPath::new(laboratory(), &settings, 2).expect("fits");
+    let mut splits = Vec::new();
+    run(&mut experiment, 3, |tick, _| {
+        if let Adaptation::Split { past, delta, added } = tick.adaptation {
+            assert!(delta > 1.0 && past != added, "tick {}", tick.tick);
+            splits.push((added, tick.tick, delta));
+        }
+    });
+    assert!(!splits.is_empty(), "a threshold of 1 splits something in three trials");
+    for neuron in experiment.neurons() {
+        if let BirthCause::Error { delta } = neuron.birth.cause {
+            assert!(splits.contains(&(neuron.id, neuron.birth.tick, delta)), "{:?}", neuron.id);
+        }
+    }
+}
+
+#[test]
+fn back_tracking_gives_the_reinforcement_to_the_goal() {
+    let mut experiment =
+        MinimumCostPath::new(laboratory(), &Settings::default(), 21).expect("fits");
+    let mut path = Vec::new();
+    loop {
+        let (tick, end) = experiment.step();
+        path.push((tick.neuron, tick.outcome.reinforcement.total()));
+        if let Some(end) = end {
+            assert!(end.record.reached_goal && end.record.record, "the first success is a record");
+            break;
+        }
+    }
+    // Eq. (5.26): u of the first neuron is R(1), u of the last is the last reinforcement.
+    for (position, (neuron, _)) in path.iter().enumerate() {
+        let to_goal: f64 = path[position..].iter().map(|(_, r)| r).sum();
+        let first_visit = path.iter().position(|(other, _)| other == neuron) == Some(position);
+        let utility = experiment
+            .neurons()
+            .find(|candidate| Some(candidate.id) == *neuron)
+            .and_then(|neuron| neuron.utility);
+        if first_visit {
+            assert!((utility.unwrap_or(f64::NAN) - to_goal).abs() < 1e-9, "step {}", position + 1);
+        }
+    }
+}
+
+#[test]
+fn a_trial_that_does_not_end_is_capped_and_failed() {
+    let settings = with(&[("trial.step_cap", Value::Integer(10))]);
+    for trial in records(&settings, 1, 3) {
+        assert_eq!((trial.steps, trial.reached_goal, trial.record), (10, false, false));
+    }
+}
+
+#[test]
+fn contradictions_name_the_setting() {
+    for (key, value, field) in [
+        ("reflex.front_near", 1.0, "reflex.front_near"),
+        ("reflex.side_free", 0.05, "reflex.side_near"),
+        ("learner.temperature_min", 200.0, "learner.temperature_min"),
+    ] {
+        let settings = with(&[(key, Value::Number(value))]);
+        let error = MinimumCostPath::new(laboratory(), &settings, 1).expect_err(key);
+        assert_eq!(error.field(), field, "{error}");
+    }
+}

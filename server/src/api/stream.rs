@@ -1,0 +1,51 @@
+//! `sessions/{id}/stream`: opening the WebSocket.
+
+use std::sync::Arc;
+
+use axum::extract::State;
+use axum::extract::ws::WebSocketUpgrade;
+use axum::extract::ws::rejection::WebSocketUpgradeRejection;
+use axum::http::{HeaderMap, StatusCode};
+use axum::response::Response;
+use serde::Deserialize;
+
+use super::extract::{Path, Query};
+use super::guard::check_origin;
+use super::problem::Failure;
+use super::{App, blocking};
+use crate::session::{LabError, Scenery};
+use crate::stream::{LARGEST_MESSAGE, serve};
+
+/// Where a client that was here before goes on.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct StreamQuery {
+    /// Number of the last event it has seen.
+    since: Option<u64>,
+}
+
+pub(super) async fn open(
+    State(app): State<App>,
+    Path(id): Path<String>,
+    Query(query): Query<StreamQuery>,
+    headers: HeaderMap,
+    upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
+) -> Result<Response, Failure> {
+    check_origin(&headers)?;
+    let (feed, scenery) = {
+        let lab = app.lab.clone();
+        blocking(move || -> Result<_, LabError> {
+            Ok((lab.feed(&id)?, Arc::new(Scenery::new(&lab.plan(&id)?))))
+        })
+        .await?
+    };
+    let upgrade = upgrade.map_err(|rejection| {
+        let title = "This is a WebSocket";
+        Failure::new(StatusCode::UPGRADE_REQUIRED, "upgrade-required", title, rejection.body_text())
+    })?;
+    let upgrade = upgrade.max_message_size(LARGEST_MESSAGE).max_frame_size(LARGEST_MESSAGE);
+    Ok(upgrade.on_upgrade(async move |socket| {
+        let goodbye = serve(socket, feed, scenery, app.frames, query.since).await;
+        tracing::debug!("a viewer left: {goodbye}");
+    }))
+}

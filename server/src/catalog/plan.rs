@@ -1,0 +1,246 @@
+//! From a request to everything a run needs, or to a refusal that names the field.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value as Json;
+use sonarium_core::experiment::Settings;
+use sonarium_core::settings::{SettingError, Spec};
+
+use super::worlds::NamedWorld;
+use super::{Catalog, DEFAULT_TRIALS, MAX_TRIALS, presets, values, worlds};
+use crate::clock;
+use crate::session::Names;
+use crate::store::SessionRow;
+use crate::wire::{NewSession, Speed};
+
+/// Greatest seed: every whole number up to it survives JSON in every language.
+const MAX_SEED: u64 = (1 << 53) - 1;
+/// Slowest and fastest pace in ticks a second.
+const SPEEDS: std::ops::RangeInclusive<f64> = 0.1..=10_000.0;
+/// Pace unless told otherwise.
+const DEFAULT_SPEED: Speed = Speed::TicksPerSecond(30.0);
+
+/// Everything a run needs, checked.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// Name of the experiment.
+    pub experiment: String,
+    /// Preset the settings started from.
+    pub preset: String,
+    /// The world.
+    pub world: NamedWorld,
+    /// The settings.
+    pub settings: Settings,
+    /// Every setting by key, `preset` and `world` included.
+    pub values: BTreeMap<String, Json>,
+    /// Keys whose value is not the default's.
+    pub changed: Vec<String>,
+    /// Seed.
+    pub seed: u64,
+    /// Trials.
+    pub trials: u32,
+    /// Pace.
+    pub speed: Speed,
+}
+
+/// A field that cannot be taken.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{field}: {message}")]
+pub struct FieldError {
+    /// The field, e.g. `settings.sonar.noise`.
+    pub field: String,
+    /// What is wrong and what would be right.
+    pub message: String,
+}
+
+impl FieldError {
+    /// A field and what is wrong with it.
+    pub fn new(field: impl Into<String>, message: impl Into<String>) -> Self {
+        Self { field: field.into(), message: message.into() }
+    }
+}
+
+impl Catalog {
+    /// Fills a request up: defaults, then the preset, then what was given.
+    ///
+    /// # Errors
+    /// The first field that is unknown, of the wrong type or out of range.
+    pub fn resolve(&self, request: &NewSession) -> Result<Plan, FieldError> {
+        self.check_experiment(&request.experiment)?;
+        let name = name_in(&request.settings, "world")?.unwrap_or(self.worlds().default());
+        self.resolve_in(self.worlds().get(name)?.clone(), request)
+    }
+
+    /// The plan of a stored session, in the world as it was when the session was created.
+    ///
+    /// # Errors
+    /// When this program no longer knows its experiment, its world or one of its settings.
+    pub fn restore(&self, row: &SessionRow) -> Result<Plan, FieldError> {
+        self.check_experiment(&row.experiment)?;
+        let world = worlds::read(&row.world, row.world_text.clone())
+            .map_err(|why| FieldError::new("settings.world", why))?;
+        self.resolve_in(
+            world,
+            &NewSession {
+                experiment: row.experiment.clone(),
+                seed: Some(row.seed),
+                settings: row.settings.clone(),
+                trials: Some(row.trials),
+                speed: Some(row.speed),
+            },
+        )
+    }
+
+    fn resolve_in(&self, world: NamedWorld, request: &NewSession) -> Result<Plan, FieldError> {
+        let preset = name_in(&request.settings, "preset")?.unwrap_or(presets::DEFAULT);
+        let mut settings = Settings::default();
+        for (key, value) in self.preset_settings(preset)?.iter().chain(&request.settings) {
+            if !matches!(key.as_str(), "preset" | "world") {
+                assign(&mut settings, key, value)?;
+            }
+        }
+        let (mut values, mut changed) = differences(&settings);
+        for (key, name, default) in [
+            ("world", world.name.as_str(), self.worlds().default()),
+            ("preset", preset, presets::DEFAULT),
+        ] {
+            values.insert(key.into(), name.into());
+            if name != default {
+                changed.insert(0, key.into());
+            }
+        }
+        Ok(Plan {
+            experiment: request.experiment.clone(),
+            preset: preset.to_owned(),
+            world,
+            settings,
+            values,
+            changed,
+            seed: seed(request.seed)?,
+            trials: trials(request.trials)?,
+            speed: speed(request.speed.unwrap_or(DEFAULT_SPEED))?,
+        })
+    }
+
+    fn check_experiment(&self, name: &str) -> Result<(), FieldError> {
+        if self.experiment(name).is_some() {
+            return Ok(());
+        }
+        let names: Vec<&str> = self.experiments().iter().map(|e| e.name.as_str()).collect();
+        let message = format!("there is no experiment `{name}`; there is {}", listed(&names));
+        Err(FieldError::new("experiment", message))
+    }
+
+    fn preset_settings(&self, name: &str) -> Result<&BTreeMap<String, Json>, FieldError> {
+        let found = self.presets().iter().find(|preset| preset.name == name);
+        found.map(|preset| &preset.settings).ok_or_else(|| {
+            let names: Vec<&str> = self.presets().iter().map(|p| p.name.as_str()).collect();
+            let message = format!("there is no preset `{name}`; there are {}", listed(&names));
+            FieldError::new("settings.preset", message)
+        })
+    }
+}
+
+impl Plan {
+    /// What turns the run's indices into names.
+    #[must_use]
+    pub fn names(&self) -> Names {
+        let choice = |key: &str| self.values.get(key).and_then(Json::as_str).unwrap_or_default();
+        Names {
+            regions: worlds::regions(&self.world.world),
+            one_network: choice("learner.regions") == "one",
+            action_frame: choice("learner.action_frame").to_owned(),
+        }
+    }
+}
+
+/// Checks a pace.
+///
+/// # Errors
+/// When it is out of range.
+pub fn speed(speed: Speed) -> Result<Speed, FieldError> {
+    match speed {
+        Speed::TicksPerSecond(rate_hz) if !SPEEDS.contains(&rate_hz) => {
+            let message = format!(
+                "{rate_hz} is out of range; ticks a second from {} to {}, or \"max\"",
+                SPEEDS.start(),
+                SPEEDS.end()
+            );
+            Err(FieldError::new("speed", message))
+        }
+        fine => Ok(fine),
+    }
+}
+
+/// Checks a seed, or draws one.
+fn seed(seed: Option<u64>) -> Result<u64, FieldError> {
+    match seed {
+        Some(seed) if seed > MAX_SEED => {
+            let message = format!("{seed} is out of range; a whole number from 0 to {MAX_SEED}");
+            Err(FieldError::new("seed", message))
+        }
+        Some(seed) => Ok(seed),
+        // Short enough to be read out and typed.
+        None => Ok(clock::entropy() % 1_000_000),
+    }
+}
+
+fn trials(trials: Option<u32>) -> Result<u32, FieldError> {
+    match trials.unwrap_or(DEFAULT_TRIALS) {
+        fine @ 1..=MAX_TRIALS => Ok(fine),
+        wrong => {
+            let message = format!("{wrong} is out of range; a whole number from 1 to {MAX_TRIALS}");
+            Err(FieldError::new("trials", message))
+        }
+    }
+}
+
+fn name_in<'a>(
+    settings: &'a BTreeMap<String, Json>,
+    key: &str,
+) -> Result<Option<&'a str>, FieldError> {
+    match settings.get(key) {
+        None => Ok(None),
+        Some(Json::String(name)) => Ok(Some(name)),
+        Some(other) => {
+            Err(FieldError::new(format!("settings.{key}"), format!("must be a name, not {other}")))
+        }
+    }
+}
+
+fn assign(settings: &mut Settings, key: &str, json: &Json) -> Result<(), FieldError> {
+    let field = || format!("settings.{key}");
+    let Some(value) = values::from_json(json) else {
+        let expected = spec(key).map_or("a number, a switch or a name".into(), Spec::expected);
+        return Err(FieldError::new(field(), format!("must be {expected}, not `{json}`")));
+    };
+    settings.set(key, &value).map_err(|error| match error {
+        SettingError::Unknown { .. } => {
+            FieldError::new(field(), format!("{error}; `sonarium experiments` lists them all"))
+        }
+        SettingError::Invalid { .. } => FieldError::new(field(), error.to_string()),
+    })
+}
+
+fn spec(key: &str) -> Option<&'static Spec> {
+    Settings::specs().iter().find(|spec| spec.key == key)
+}
+
+/// All values, and the keys of those that are not the default.
+fn differences(settings: &Settings) -> (BTreeMap<String, Json>, Vec<String>) {
+    let defaults = Settings::default();
+    let mut values = BTreeMap::new();
+    let mut changed = Vec::new();
+    for spec in Settings::specs() {
+        let value = settings.get(spec.key);
+        values.insert(spec.key.to_owned(), values::to_json(value.as_ref()));
+        if value != defaults.get(spec.key) {
+            changed.push(spec.key.to_owned());
+        }
+    }
+    (values, changed)
+}
+
+fn listed(names: &[&str]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,71 @@
+//! Named sets of settings, from `assets/presets`.
+
+use std::collections::BTreeMap;
+
+use rust_embed::Embed;
+use serde::Deserialize;
+use serde_json::Value as Json;
+
+use super::{CatalogError, values};
+use crate::wire::PresetInfo;
+
+/// The preset a session starts from unless told otherwise.
+pub(super) const DEFAULT: &str = "default";
+
+#[derive(Embed)]
+#[folder = "$CARGO_MANIFEST_DIR/../assets/presets"]
+struct Files;
+
+/// A named set of settings.
+#[derive(Clone, Debug)]
+pub struct Preset {
+    /// Name, the file's.
+    pub name: String,
+    /// Title for people.
+    pub title: String,
+    /// What it stands for.
+    pub summary: String,
+    /// Settings that differ from the defaults.
+    pub settings: BTreeMap<String, Json>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PresetFile {
+    title: String,
+    summary: String,
+    #[serde(default)]
+    settings: toml::Table,
+}
+
+impl Preset {
+    pub(super) fn info(&self) -> PresetInfo {
+        PresetInfo {
+            name: self.name.clone(),
+            title: self.title.clone(),
+            summary: self.summary.clone(),
+            settings: self.settings.clone(),
+        }
+    }
+}
+
+/// The presets in the program, the default first.
+pub(super) fn embedded() -> Result<Vec<Preset>, CatalogError> {
+    let mut presets: Vec<Preset> =
+        Files::iter().map(|file| read(&file)).collect::<Result<_, CatalogError>>()?;
+    presets.sort_by_key(|preset| (preset.name != DEFAULT, preset.name.clone()));
+    Ok(presets)
+}
+
+fn read(file: &str) -> Result<Preset, CatalogError> {
+    let broken = |message: String| CatalogError { file: format!("presets/{file}"), message };
+    let embedded = Files::get(file).ok_or_else(|| broken("is missing".into()))?;
+    let text = std::str::from_utf8(&embedded.data).map_err(|error| broken(error.to_string()))?;
+    let preset: PresetFile = toml::from_str(text).map_err(|error| broken(error.to_string()))?;
+    Ok(Preset {
+        name: file.trim_end_matches(".toml").to_owned(),
+        title: preset.title,
+        summary: preset.summary,
+        settings: values::flatten(preset.settings),
+    })
+}

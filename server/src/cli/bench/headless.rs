@@ -1,0 +1,135 @@
+//! Control steps a second, without and with the log.
+
+use std::time::Instant;
+
+use super::{Failure, Line};
+use crate::catalog::{Catalog, MINIMUM_COST_PATH, Plan};
+use crate::session::Run;
+use crate::store::{LogHeader, LogRecord, LogWriter, SessionRow, Store};
+use crate::wire::{NewSession, State};
+
+/// Sets of 20 trials in one measurement, seeds 1 to this.
+const SETS: u64 = 50;
+const RUNS: usize = 7;
+/// Trials in a measurement with the log.
+const LOGGED_TRIALS: u32 = 500;
+
+/// Headless, nothing recorded.
+pub(super) fn run() -> Result<Vec<Line>, Failure> {
+    let catalog = Catalog::load(None)?;
+    let measured = (0..RUNS).map(|_| steps_a_second(&catalog)).collect::<Result<_, Failure>>()?;
+    let note = "minimum-cost-path, default preset with full sonar noise, 50 sets of 20 trials, one \
+                thread, log off";
+    Ok(vec![Line::new("run", "headless", "steps/s", measured, note)])
+}
+
+/// Every tick into the log, the last byte on the disk.
+pub(super) fn run_with_log() -> Result<Vec<Line>, Failure> {
+    let catalog = Catalog::load(None)?;
+    let folder = Folder::new("bench-run-log")?;
+    let store = Store::open(&folder.0)?;
+    let measure = |k| logged_steps_a_second(&catalog, &store, k);
+    let measured = (0..RUNS as u64).map(measure).collect::<Result<_, Failure>>()?;
+    let note = "minimum-cost-path, default preset, 500 trials, every tick with its explanation in the \
+                log, from the first step until the log is closed; the log has its own thread";
+    Ok(vec![Line::new("run-log", "headless with log", "steps/s", measured, note)])
+}
+
+/// A folder for the time of a measurement.
+pub(super) struct Folder(pub(super) std::path::PathBuf);
+
+impl Folder {
+    pub(super) fn new(name: &str) -> Result<Self, Failure> {
+        let path = std::env::temp_dir().join(format!("sonarium-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&path)?;
+        Ok(Self(path))
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // It lies in the system's folder for such things, which is emptied anyway.
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+fn plan(catalog: &Catalog, seed: u64, trials: u32) -> Result<Plan, Failure> {
+    Ok(catalog.resolve(&NewSession {
+        experiment: MINIMUM_COST_PATH.into(),
+        seed: Some(seed),
+        settings: Default::default(),
+        trials: Some(trials),
+        speed: None,
+    })?)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "steps are far below 2^53")]
+fn steps_a_second(catalog: &Catalog) -> Result<f64, Failure> {
+    let start = Instant::now();
+    let mut steps = 0_u64;
+    for seed in 1..=SETS {
+        let plan = plan(catalog, seed, 20)?;
+        let mut run = Run::new(&plan)?;
+        let mut trials = 0;
+        while trials < plan.trials {
+            steps += 1;
+            trials += u32::from(run.step_silently().is_some());
+        }
+    }
+    Ok(steps as f64 / start.elapsed().as_secs_f64())
+}
+
+#[expect(clippy::cast_precision_loss, reason = "steps are far below 2^53")]
+fn logged_steps_a_second(catalog: &Catalog, store: &Store, k: u64) -> Result<f64, Failure> {
+    let plan = plan(catalog, k + 1, LOGGED_TRIALS)?;
+    let row = row(&plan, format!("bench{k}"));
+    store.insert_session(&row)?;
+    let mut run = Run::new(&plan)?;
+    let start = Instant::now();
+    let log = LogWriter::create(store, &row.id, &header(&row))?;
+    let (mut steps, mut trials) = (0_u64, 0);
+    while trials < plan.trials {
+        let stepped = run.step();
+        steps += 1;
+        log.write(LogRecord::Tick(Box::new(stepped.tick)))?;
+        if let Some(end) = stepped.end {
+            trials += 1;
+            log.write(LogRecord::TrialEnd(Box::new(end)))?;
+            run.checkpoint().map(|checkpoint| log.write(checkpoint)).transpose()?;
+        }
+    }
+    log.finish()?;
+    Ok(steps as f64 / start.elapsed().as_secs_f64())
+}
+
+fn row(plan: &Plan, id: String) -> SessionRow {
+    SessionRow {
+        id,
+        experiment: plan.experiment.clone(),
+        seed: plan.seed,
+        preset: plan.preset.clone(),
+        world: plan.world.name.clone(),
+        world_text: plan.world.text.clone(),
+        settings: plan.values.clone(),
+        trials: plan.trials,
+        speed: plan.speed,
+        build: crate::build(),
+        state: State::Running,
+        reason: None,
+        created_at: String::new(),
+        changed_at: String::new(),
+        tick: 0,
+        trials_done: 0,
+    }
+}
+
+fn header(row: &SessionRow) -> LogHeader {
+    LogHeader {
+        experiment: row.experiment.clone(),
+        seed: row.seed,
+        settings: row.settings.clone(),
+        trials: row.trials,
+        build: row.build.clone(),
+        world_text: row.world_text.clone(),
+    }
+}

@@ -1,0 +1,59 @@
+//! Results on stdout.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::Failure;
+use crate::wire::{RunResult, Trial};
+
+/// Writes one line.
+pub(super) fn line(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    writeln!(out, "{text}")?;
+    Ok(out.flush()?)
+}
+
+/// Writes one JSON object on one line.
+pub(super) fn json(value: &impl Serialize) -> Result<(), Failure> {
+    line(&serde_json::to_string(value).map_err(|error| Failure::Failed(error.to_string()))?)
+}
+
+/// The trials of a run as a table for people.
+pub(super) fn table(result: &RunResult) -> String {
+    let preset = result.settings.get("preset").and_then(|preset| preset.as_str());
+    let mut text = format!(
+        "{}, preset {}, seed {}, build {}\n",
+        result.experiment,
+        preset.unwrap_or("default"),
+        result.seed,
+        result.build
+    );
+    text += "trial   steps  total reinforcement  neurons  collisions  temperature (deg)  goal\n";
+    for trial in &result.trials {
+        text += &row(trial);
+    }
+    let summary = &result.summary;
+    text += &format!("{} of {} trials reached the goal", summary.reached, summary.trials);
+    if let (Some(best), Some(trial)) = (summary.best_total_reinforcement, summary.best_trial) {
+        text += &format!("; best total reinforcement {best:.2} in trial {trial}");
+    }
+    text + &format!("; {} control steps, {} neurons", summary.steps, summary.neurons)
+}
+
+fn row(trial: &Trial) -> String {
+    format!(
+        "{:>5}  {:>6}  {:>19.2}  {:>7}  {:>10}  {:>17.1}  {}\n",
+        trial.trial,
+        trial.steps,
+        trial.total_reinforcement,
+        trial.neurons,
+        trial.collisions,
+        trial.temperature_deg,
+        match (trial.reached_goal, trial.record) {
+            (true, true) => "reached, best so far",
+            (true, false) => "reached",
+            (false, _) => "not reached",
+        }
+    )
+}

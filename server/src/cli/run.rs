@@ -1,0 +1,247 @@
+//! `sonarium run`.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{IsTerminal, stderr};
+use std::path::PathBuf;
+use std::str::FromStr;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde::Deserialize;
+use serde_json::Value as Json;
+
+use super::{Failure, cores, default_data, output};
+use crate::catalog::{Catalog, FieldError, Plan, flatten, from_text};
+use crate::session::{Run, summary};
+use crate::wire::{NewSession, RunResult, Trial};
+
+mod recorded;
+
+/// Most seeds in one call.
+const MOST_SEEDS: u64 = 100_000;
+
+#[derive(Args, Debug)]
+pub(super) struct Arguments {
+    /// Name of the experiment; `sonarium experiments` lists them
+    experiment: String,
+    /// Seed, 0 to 2^53-1; drawn by chance when missing
+    #[arg(long, conflicts_with = "seeds")]
+    seed: Option<u64>,
+    /// Several seeds, both ends included: 1..20 is twenty runs, printed in this order
+    #[arg(long, value_name = "A..B")]
+    seeds: Option<Seeds>,
+    /// A setting, e.g. --set sonar.noise=0.05 or --set preset=thesis; may be given again
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<Setting>,
+    /// TOML file with `seed`, `trials` and a table `settings`; what is given here comes first
+    #[arg(long, value_name = "FILE")]
+    config: Option<PathBuf>,
+    /// Trials, 1 to 100000
+    #[arg(long)]
+    trials: Option<u32>,
+    /// Folder for logs and reports; `sonarium serve --data DIR` shows them
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print one JSON object a run
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let own_worlds = arguments.out.clone().unwrap_or_else(default_data).join("worlds");
+    let catalog = Catalog::load(Some(&own_worlds))?;
+    let requests = requests(arguments)?;
+    let plans: Vec<Plan> = requests
+        .iter()
+        .map(|request| catalog.resolve(request))
+        .collect::<Result<_, FieldError>>()?;
+    // The same settings fit or do not fit for every seed.
+    plans.first().map(Run::new).transpose()?;
+    let trials = plans.iter().map(|plan| u64::from(plan.trials)).sum();
+    let progress = progress(trials);
+    let print = |result: RunResult| progress.suspend(|| print(&result, arguments.json));
+    match &arguments.out {
+        Some(folder) => recorded::run(catalog, &requests, folder, &progress, print)?,
+        None => run_all(&plans, &progress, print)?,
+    }
+    progress.finish_and_clear();
+    Ok(())
+}
+
+fn print(result: &RunResult, json: bool) -> Result<(), Failure> {
+    if json { output::json(result) } else { output::line(&output::table(result)) }
+}
+
+/// Runs the plans on all cores and hands over the results in the order of the plans.
+fn run_all(
+    plans: &[Plan],
+    progress: &ProgressBar,
+    mut take: impl FnMut(RunResult) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let next = AtomicUsize::new(0);
+    let (sender, results) = mpsc::channel();
+    thread::scope(|scope| {
+        for _ in 0..cores().min(plans.len()) {
+            let (next, sender) = (&next, sender.clone());
+            scope.spawn(move || {
+                while let Some((index, plan)) = claim(next, plans) {
+                    let result = run_plan(plan, progress);
+                    if sender.send((index, result)).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        drop(sender);
+        let mut early = BTreeMap::new();
+        let mut due = 0;
+        for (index, result) in results {
+            early.insert(index, result?);
+            while let Some(result) = early.remove(&due) {
+                take(result)?;
+                due += 1;
+            }
+        }
+        Ok(())
+    })
+}
+
+fn claim<'a>(next: &AtomicUsize, plans: &'a [Plan]) -> Option<(usize, &'a Plan)> {
+    let index = next.fetch_add(1, Ordering::Relaxed);
+    plans.get(index).map(|plan| (index, plan))
+}
+
+fn run_plan(plan: &Plan, progress: &ProgressBar) -> Result<RunResult, FieldError> {
+    let mut run = Run::new(plan)?;
+    let mut trials = Vec::new();
+    while trials.len() < plan.trials as usize {
+        if let Some(trial) = run.step_silently() {
+            trials.push(trial);
+            progress.inc(1);
+        }
+    }
+    Ok(result(plan, trials))
+}
+
+fn result(plan: &Plan, trials: Vec<Trial>) -> RunResult {
+    RunResult {
+        experiment: plan.experiment.clone(),
+        seed: plan.seed,
+        build: crate::build(),
+        settings: plan.values.clone(),
+        summary: summary(&trials),
+        trials,
+    }
+}
+
+fn progress(trials: u64) -> ProgressBar {
+    if !stderr().is_terminal() {
+        return ProgressBar::with_draw_target(Some(trials), ProgressDrawTarget::hidden());
+    }
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} trials, {eta} left");
+    ProgressBar::new(trials).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// What a configuration file says.
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Config {
+    seed: Option<u64>,
+    trials: Option<u32>,
+    #[serde(default)]
+    settings: toml::Table,
+}
+
+/// One request a seed.
+fn requests(arguments: &Arguments) -> Result<Vec<NewSession>, Failure> {
+    let config = arguments.config.as_ref().map(read_config).transpose()?.unwrap_or_default();
+    let mut settings = flatten(config.settings);
+    settings.extend(arguments.set.iter().map(|set| (set.key.clone(), set.value.clone())));
+    let request = |seed| NewSession {
+        experiment: arguments.experiment.clone(),
+        seed,
+        settings: settings.clone(),
+        trials: arguments.trials.or(config.trials),
+        speed: None,
+    };
+    Ok(match arguments.seeds {
+        Some(Seeds { first, last }) => (first..=last).map(|seed| request(Some(seed))).collect(),
+        None => vec![request(arguments.seed.or(config.seed))],
+    })
+}
+
+fn read_config(path: &PathBuf) -> Result<Config, Failure> {
+    let bad = |error: String| Failure::Input(format!("--config {}: {error}", path.display()));
+    let text = fs::read_to_string(path).map_err(|error| bad(error.to_string()))?;
+    toml::from_str(&text).map_err(|error| bad(error.to_string()))
+}
+
+/// `key=value`.
+#[derive(Clone, Debug)]
+struct Setting {
+    key: String,
+    value: Json,
+}
+
+impl FromStr for Setting {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (key, value) = text
+            .split_once('=')
+            .ok_or_else(|| format!("`{text}` must be KEY=VALUE, e.g. sonar.noise=0.05"))?;
+        Ok(Self { key: key.trim().to_owned(), value: from_text(value.trim()) })
+    }
+}
+
+/// `A..B`, both included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Seeds {
+    first: u64,
+    last: u64,
+}
+
+impl FromStr for Seeds {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let ends = text.split_once("..").and_then(|(first, last)| {
+            Some(Self { first: first.trim().parse().ok()?, last: last.trim().parse().ok()? })
+        });
+        match ends {
+            Some(Self { first, last }) if first > last => {
+                Err(format!("{first} is greater than {last}; give the smaller seed first"))
+            }
+            Some(Self { first, last }) if last - first >= MOST_SEEDS => {
+                Err(format!("at most {MOST_SEEDS} seeds at once"))
+            }
+            Some(seeds) => Ok(seeds),
+            None => Err(format!("`{text}` must be two whole numbers, e.g. 1..20")),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn seed_ranges_include_both_ends() {
+        for (text, expected) in [
+            ("1..20", Some((1, 20))),
+            ("7..7", Some((7, 7))),
+            ("20..1", None),
+            ("1..", None),
+            ("-1..2", None),
+            ("1..=3", None),
+            ("0..100000", None),
+        ] {
+            let seeds = text.parse::<Seeds>().ok();
+            assert_eq!(seeds, expected.map(|(first, last)| Seeds { first, last }), "{text}");
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Runs that leave logs and reports, in the layout of a data folder.
+
+use std::path::Path;
+
+use indicatif::ProgressBar;
+
+use super::super::{Failure, cores};
+use super::result;
+use crate::catalog::Catalog;
+use crate::render::{Backend, Renderer};
+use crate::report;
+use crate::session::{Control, Feed, Lab, Reporter};
+use crate::store::Store;
+use crate::wire::{NamedSpeed, NewSession, RunResult, Session, Speed, State};
+
+/// Runs sessions as the server does, as fast as it goes, and hands over the results in order.
+pub(super) fn run(
+    catalog: Catalog,
+    requests: &[NewSession],
+    folder: &Path,
+    progress: &ProgressBar,
+    mut take: impl FnMut(RunResult) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let lab = Lab::new(catalog, Store::open(folder)?, cores());
+    let backend = Backend::from_environment().map_err(|e| Failure::Input(e.to_string()))?;
+    let renderer = Renderer::start(backend);
+    let runtime = tokio::runtime::Runtime::new()?;
+    // A few more than cores are created ahead, so that no core waits for a report to be written.
+    for batch in requests.chunks(4 * cores()) {
+        let sessions = batch.iter().map(|request| create(&lab, request));
+        let sessions: Vec<Session> = sessions.collect::<Result<_, Failure>>()?;
+        let feeds = sessions.iter().map(|session| lab.feed(&session.id));
+        let feeds = feeds.collect::<Result<Vec<_>, _>>()?;
+        for session in &sessions {
+            runtime.block_on(lab.control(&session.id, Control::Start))?;
+        }
+        for (session, feed) in sessions.iter().zip(feeds) {
+            runtime.block_on(finished(&feed, progress))?;
+            write_reports(Reporter { lab: &lab, renderer: &renderer }, &session.id)?;
+            take(result(&lab.plan(&session.id)?, lab.store().trials(&session.id)?))?;
+        }
+    }
+    Ok(())
+}
+
+fn create(lab: &Lab, request: &NewSession) -> Result<Session, Failure> {
+    let speed = Some(Speed::Named(NamedSpeed::Max));
+    Ok(lab.create(&NewSession { speed, ..request.clone() })?)
+}
+
+/// Waits until a session has done its trials.
+async fn finished(feed: &Feed, progress: &ProgressBar) -> Result<(), Failure> {
+    let mut changes = feed.subscribe();
+    let mut counted = 0;
+    loop {
+        changes.mark_unchanged();
+        let session = feed.snapshot().session.clone();
+        progress.inc(u64::from(session.trials_done - counted));
+        counted = session.trials_done;
+        match session.state {
+            State::Finished => return Ok(()),
+            State::Failed => return Err(Failure::Failed(session.reason.unwrap_or_default())),
+            // The feed outlives this loop, so there always is a next change.
+            _ => drop(changes.changed().await),
+        }
+    }
+}
+
+fn write_reports(reporter: Reporter<'_>, id: &str) -> Result<(), Failure> {
+    let report = reporter.session(id)?;
+    let folder = reporter.lab.store().session_folder(id);
+    for (name, text) in [
+        ("report.html", report::html(&report)),
+        ("report.json", report::json(&report)),
+        ("trials.csv", report::csv(&report)),
+    ] {
+        std::fs::write(folder.join(name), text)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,79 @@
+//! Paths: those of earlier trials, the best one and the one shown.
+
+use super::{Canvas, rimmed_stroke};
+use crate::render::scene::{Point, Primitive, Scene, Stroke, distance};
+
+/// So many earlier trials are drawn at most, the newest.
+pub const MOST_GHOSTS: usize = 40;
+
+/// Least distance of two points of a path, pixels.
+const STEP_PX: f32 = 2.0;
+
+/// Step dots closer than this would merge into the line.
+const LEAST_DOT_GAP: f32 = 7.0;
+
+impl Canvas<'_> {
+    /// Earlier trials, the older the fainter.
+    pub(super) fn ghosts(&self, scene: &mut Scene) {
+        let paths = &self.view.earlier_paths_m;
+        let shown = &paths[paths.len().saturating_sub(MOST_GHOSTS)..];
+        let [newest, oldest] = self.theme.ghost_opacity;
+        for (index, path) in shown.iter().enumerate() {
+            let age = (shown.len() - 1 - index) as f32 / shown.len().max(8) as f32;
+            let opacity = oldest + (newest - oldest) * (1.0 - age).powi(2);
+            let points = self.at.path(path, STEP_PX);
+            if points.len() > 1 {
+                scene.stroke(points, self.px(1.2).max(0.7), self.theme.ghost.fade(opacity));
+            }
+        }
+    }
+
+    /// The best trial, dashed so that it is known without its colour.
+    pub(super) fn best_path(&self, scene: &mut Scene) {
+        let points = self.at.path(&self.view.best_path_m, STEP_PX);
+        if points.len() < 2 {
+            return;
+        }
+        let width = self.px(2.2).max(1.1);
+        scene.push(Primitive::Stroke(Stroke {
+            points,
+            width,
+            colour: self.theme.best,
+            dash: Some(best_dash(width)),
+            closed: false,
+        }));
+    }
+
+    /// The trial shown: thicker, with a dot at every step as far as they stay apart.
+    pub(super) fn path(&self, scene: &mut Scene) {
+        let points = self.at.path(&self.view.path_m, STEP_PX);
+        if points.len() < 2 {
+            return;
+        }
+        let (width, colour) = (self.px(2.6).max(1.3), self.theme.path);
+        rimmed_stroke(scene, points, width, colour, self.theme.background.fade(0.7));
+        if self.layout.is_thumbnail {
+            return;
+        }
+        for dot in spaced(&self.at.places(&self.view.path_m), self.px(LEAST_DOT_GAP)) {
+            scene.disc(dot, self.px(3.1), colour);
+            scene.disc(dot, self.px(1.5), self.theme.background);
+        }
+    }
+}
+
+/// Lengths of the best path's dashes and gaps for a line of this width; round caps take from the
+/// gaps.
+pub(super) fn best_dash(width: f32) -> [f32; 2] {
+    [3.2 * width, 3.0 * width]
+}
+
+fn spaced(points: &[Point], least_px: f32) -> Vec<Point> {
+    let mut kept: Vec<Point> = Vec::new();
+    for &point in points {
+        if kept.last().is_none_or(|&last| distance(last, point) >= least_px) {
+            kept.push(point);
+        }
+    }
+    kept
+}

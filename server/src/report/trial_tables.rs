@@ -1,0 +1,180 @@
+//! The tables in the report of a trial.
+
+use maud::{Markup, html};
+
+use super::number::{NOTHING, count_or_nothing, fixed, fixed_or_nothing};
+use super::page::{Heading, number, numbers, table, words};
+use crate::wire::{AdaptationView, ChangeView, TickView, Trial, TrialEndView};
+
+/// Total reinforcement by its two parts, with the steps that paid.
+pub(super) fn parts_table(trial: &Trial, ticks: &[TickView]) -> Markup {
+    const HEADINGS: [Heading; 4] = [
+        words("Part"),
+        numbers("Sum", "reinforcement"),
+        numbers("Per step", "mean"),
+        numbers("Steps", "below 0"),
+    ];
+    let per_step = |sum: f64| (trial.steps > 0).then(|| sum / f64::from(trial.steps));
+    let paid = |part: fn(&TickView) -> f64| ticks.iter().filter(|tick| part(tick) < 0.0).count();
+    let parts: [(&str, f64, usize); 3] = [
+        ("Safety f₁, Eq. 5.6", trial.safety, paid(|tick| tick.outcome.safety)),
+        ("Goal f₂, Eq. 5.7", trial.goal, paid(|tick| tick.outcome.goal)),
+        ("Total R(n), Eq. 5.27", trial.total_reinforcement, paid(|t| t.outcome.reinforcement)),
+    ];
+    let rows = html! {
+        @for (name, sum, paid) in parts {
+            tr {
+                th scope="row" { (name) }
+                (number(fixed(sum, 3)))
+                (number(fixed_or_nothing(per_step(sum), 3)))
+                (number(paid.to_string()))
+            }
+        }
+    };
+    table("parts", "Where the reinforcement of the trial came from", &HEADINGS, rows)
+}
+
+/// Steps taken in each region.
+pub(super) fn regions_table(trial: &Trial) -> Markup {
+    const HEADINGS: [Heading; 2] = [words("Region"), numbers("Steps", "")];
+    let rows = html! {
+        @for (region, steps) in &trial.region_steps {
+            tr { th scope="row" { (region) } (number(steps.to_string())) }
+        }
+    };
+    table("regions", "Control steps by the region the robot believed to be in", &HEADINGS, rows)
+}
+
+/// What the learner did at the end: back-tracking, replacement, band proposal, deletion.
+pub(super) fn changes_tables(end: &TrialEndView) -> Markup {
+    html! {
+        (change_table("Utilities set by back-tracking, Eq. 5.26", "u", "", &end.backed_up, 3))
+        (change_table("Prototypical actions replaced, Eq. 5.28", "p", "deg", &end.replaced, 1))
+        (change_table("Means set by the band proposal, addition A1", "μ", "deg", &end.proposed, 1))
+        h3 { "Neurons deleted, deviation D3" }
+        @if end.forgotten.is_empty() {
+            p class="note" { "None" }
+        } @else {
+            p { (end.forgotten.len()) " neurons: " (list(&end.forgotten)) }
+        }
+    }
+}
+
+fn list(neurons: &[u32]) -> String {
+    let numbers: Vec<String> = neurons.iter().map(u32::to_string).collect();
+    numbers.join(", ")
+}
+
+fn change_table(
+    title: &str,
+    symbol: &'static str,
+    unit: &'static str,
+    changes: &[ChangeView],
+    decimals: usize,
+) -> Markup {
+    html! {
+        h3 { (title) }
+        @if changes.is_empty() {
+            p class="note" { "None" }
+        } @else {
+            p class="note" {
+                (changes.len()) @if changes.len() == 1 { " neuron" } @else { " neurons" }
+                ": number, then " (symbol) " before → after"
+                @if !unit.is_empty() { ", " (unit) }
+            }
+            ul class="changes" {
+                @for change in changes {
+                    li {
+                        b { (change.neuron) } " "
+                        (fixed(change.before, decimals)) " → " (fixed(change.after, decimals))
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// One row a control step.
+pub(super) fn steps_table(ticks: &[TickView]) -> Markup {
+    const HEADINGS: [Heading; 17] = [
+        numbers("Tick", ""),
+        words("Region"),
+        numbers("Winner", "neuron"),
+        numbers("‖x − c‖", "distance"),
+        numbers("u", "utility"),
+        numbers("p", "deg"),
+        numbers("μ", "deg"),
+        numbers("T", "deg"),
+        numbers("σ", "deg"),
+        numbers("ξ", "deg"),
+        numbers("α", "deg"),
+        numbers("Rotation", "deg"),
+        numbers("f₁", "safety"),
+        numbers("f₂", "goal"),
+        numbers("r", ""),
+        numbers("δ", "TD error"),
+        words("Growth, contact"),
+    ];
+    let caption = "Sensed, decided, moved: α in its frame, rotation before the advance, \
+                   r after it; δ is the error of the past neuron";
+    let rows = html! { @for tick in ticks { (step_row(tick)) } };
+    table("steps", caption, &HEADINGS, rows)
+}
+
+fn step_row(tick: &TickView) -> Markup {
+    let (outcome, draw) = (&tick.outcome, &tick.exploration);
+    html! {
+        tr {
+            th scope="row" class="n" { (tick.tick) }
+            td { (tick.region) }
+            (number(count_or_nothing(tick.winner.map(|winner| winner.neuron))))
+            (number(fixed_or_nothing(tick.winner.map(|winner| winner.distance), 3)))
+            (number(fixed_or_nothing(tick.utility, 2)))
+            (number(fixed(tick.prototypical_deg, 1)))
+            (number(fixed(draw.mean_deg, 1)))
+            (number(fixed(draw.temperature_deg, 1)))
+            (number(fixed(draw.sigma_deg, 1)))
+            (number(fixed(draw.xi_deg, 1)))
+            (number(fixed(tick.action_deg, 1)))
+            (number(fixed(tick.rotation_deg, 1)))
+            (number(fixed(outcome.safety, 2)))
+            (number(fixed(outcome.goal, 2)))
+            (number(fixed(outcome.reinforcement, 2)))
+            (number(delta(&tick.adaptation)))
+            td { (happenings(tick)) }
+        }
+    }
+}
+
+/// The temporal-difference error, or why there is none.
+fn delta(adaptation: &AdaptationView) -> String {
+    match adaptation {
+        AdaptationView::Updated { delta, .. } | AdaptationView::Split { delta, .. } => {
+            fixed(*delta, 2)
+        }
+        AdaptationView::Pending { .. } => "pending".to_owned(),
+        AdaptationView::Off => "off".to_owned(),
+        AdaptationView::NoPast => NOTHING.to_owned(),
+    }
+}
+
+/// Neurons added, who decided when it was not the network, and what was touched.
+fn happenings(tick: &TickView) -> String {
+    let mut words = Vec::new();
+    if let Some(born) = tick.born {
+        words.push(format!("+ neuron {born}"));
+    }
+    if let AdaptationView::Split { added, past, .. } = &tick.adaptation {
+        words.push(format!("+ neuron {added} (split {past})"));
+    }
+    if tick.source != "network" {
+        words.push(tick.source.replace('-', " "));
+    }
+    if tick.outcome.contact != "none" {
+        words.push(format!("{} collision", tick.outcome.contact));
+    }
+    if tick.outcome.reached_goal {
+        words.push("goal".to_owned());
+    }
+    words.join(", ")
+}

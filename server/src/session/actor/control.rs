@@ -1,0 +1,205 @@
+//! What the controls do.
+
+use super::*;
+
+impl Actor {
+    pub(super) fn control(&mut self, control: Control) -> Result<(), ControlError> {
+        self.condition.check(control)?;
+        match control {
+            Control::Start => {
+                self.say("operator", "Started");
+                self.ask_to_run(Until::Finished)
+            }
+            Control::Resume => {
+                self.say("operator", "Resumed");
+                self.ask_to_run(Until::Finished)
+            }
+            Control::Step(StepUnit::Trial) => {
+                self.say("operator", "Stepped to the end of the trial");
+                self.ask_to_run(Until::TrialEnd)
+            }
+            Control::Step(StepUnit::Tick) => self.step(),
+            Control::Pause => {
+                self.say("operator", "Paused");
+                self.hold()
+            }
+            Control::Stop => self.stop(),
+            Control::Reset => self.reset(),
+            Control::Speed(speed) => self.set_speed(speed),
+        }
+    }
+
+    /// A control that broke off half-way leaves nothing to go on with.
+    pub(super) fn fail_after(&mut self, control: Control, result: &Result<(), ControlError>) {
+        match result {
+            Err(ControlError::Store(_) | ControlError::Field(_))
+                if matches!(control, Control::Speed(_)) => {}
+            Err(error @ (ControlError::Store(_) | ControlError::Field(_))) => {
+                self.fail(&error.to_string());
+            }
+            Ok(()) | Err(ControlError::Refused(_) | ControlError::Gone) => {}
+        }
+    }
+
+    pub(super) fn ask_to_run(&mut self, until: Until) -> Result<(), ControlError> {
+        self.until = until;
+        let sender = self.sender.clone();
+        let deliver = move |permit| drop(sender.send(Command::Admit(permit)));
+        match self.lab.slots().request(&self.session.id, deliver) {
+            Some(permit) => self.begin(permit),
+            None => {
+                self.condition.waiting = true;
+                self.say("session", "Waits for a free core");
+                self.enter(State::Queued, None)
+            }
+        }
+    }
+
+    pub(super) fn begin(&mut self, permit: Permit) -> Result<(), ControlError> {
+        self.condition.waiting = false;
+        self.permit = Some(permit);
+        self.enter(State::Starting, None)?;
+        self.prepare()?;
+        self.pace = Pace::new(self.session.speed, Instant::now());
+        self.enter(State::Running, None)
+    }
+
+    /// Builds the machine and opens the log, unless they are there already.
+    pub(super) fn prepare(&mut self) -> Result<(), ControlError> {
+        if self.run.is_some() {
+            return Ok(());
+        }
+        let prepared = Prepared::new(&self.lab, &self.session.id)?;
+        if prepared.tick < self.session.tick || prepared.trials_done < self.session.trials_done {
+            self.rewind(prepared.tick, prepared.trials_done);
+        }
+        self.neurons = Arc::new(prepared.run.neurons());
+        self.run = Some(prepared.run);
+        let log = self.log.insert(prepared.log);
+        for entry in prepared.lost.into_iter().chain(self.unlogged.drain(..)) {
+            log.write(LogRecord::Entry(entry))?;
+        }
+        Ok(())
+    }
+
+    /// Forgets what came after the checkpoint; it is about to be done again.
+    pub(super) fn rewind(&mut self, tick: u64, trials_done: u32) {
+        let kept = self.feed.rewind(trials_done);
+        self.session.count(kept.iter().map(|trial| &**trial));
+        self.session.tick = tick;
+        self.paths.drop_trial();
+        self.tick = None;
+        let text = format!("Goes on from the checkpoint after trial {trials_done}");
+        if trials_done > 0 {
+            self.say("session", &text);
+        }
+    }
+
+    pub(super) fn step(&mut self) -> Result<(), ControlError> {
+        self.prepare()?;
+        self.take_tick()?;
+        self.lab.count_ticks(1);
+        self.say("operator", "Stepped one tick");
+        if self.condition.state == State::Finished { Ok(()) } else { self.hold() }
+    }
+
+    /// Holds between two ticks; the machine stays in memory.
+    pub(super) fn hold(&mut self) -> Result<(), ControlError> {
+        self.permit = None;
+        if let Some(log) = &self.log {
+            log.flush()?;
+        }
+        self.enter(State::Paused, None)
+    }
+
+    pub(super) fn stop(&mut self) -> Result<(), ControlError> {
+        self.lab.slots().withdraw(&self.session.id);
+        self.condition.waiting = false;
+        self.say("operator", "Stopped");
+        if self.log.is_some() {
+            self.enter(State::Stopping, None)?;
+        }
+        self.settle(State::Stopped, None)
+    }
+
+    pub(super) fn reset(&mut self) -> Result<(), ControlError> {
+        self.say("operator", "Reset");
+        self.finish_log()?;
+        self.lab.store().reset(&self.session.id)?;
+        self.run = None;
+        self.condition.checkpoint = false;
+        self.tick = None;
+        self.neurons = Arc::default();
+        self.paths = Paths::default();
+        self.tell();
+        self.feed.rewind(0);
+        self.session.count([]);
+        self.session.tick = 0;
+        self.enter(State::Queued, None)
+    }
+
+    pub(super) fn set_speed(&mut self, speed: Speed) -> Result<(), ControlError> {
+        self.lab.store().update_speed(&self.session.id, speed)?;
+        self.session.speed = speed;
+        self.pace = Pace::new(speed, Instant::now());
+        let text = match speed {
+            Speed::TicksPerSecond(rate_hz) => format!("Speed set to {rate_hz} ticks a second"),
+            Speed::Named(NamedSpeed::Max) => "Speed set to as fast as it goes".into(),
+        };
+        self.say("operator", &text);
+        self.show();
+        Ok(())
+    }
+
+    /// Ends the run for now: the log is closed, the machine goes, the core is free.
+    pub(super) fn settle(
+        &mut self,
+        state: State,
+        reason: Option<&str>,
+    ) -> Result<(), ControlError> {
+        self.permit = None;
+        self.look_at_neurons();
+        self.run = None;
+        self.finish_log()?;
+        self.enter(state, reason)
+    }
+
+    pub(super) fn finish_log(&mut self) -> Result<(), StoreError> {
+        self.log.take().map_or(Ok(()), LogWriter::finish)
+    }
+
+    /// Cannot go on. What fails on the way down has nowhere else to be told.
+    pub(super) fn fail(&mut self, reason: &str) {
+        tracing::error!("session {} failed: {reason}", self.session.id);
+        self.lab.slots().withdraw(&self.session.id);
+        self.condition.waiting = false;
+        self.say("warning", &format!("Failed: {reason}"));
+        self.permit = None;
+        self.run = None;
+        if let Err(error) = self.finish_log() {
+            tracing::error!("the log of session {} could not be closed: {error}", self.session.id);
+        }
+        if let Err(error) = self.enter(State::Failed, Some(reason)) {
+            tracing::error!("session {}: {error}", self.session.id);
+        }
+    }
+
+    /// The server ends: what was under way can be taken up again.
+    pub(super) fn close(&mut self) {
+        const REASON: &str = "the server was shut down";
+        self.lab.slots().withdraw(&self.session.id);
+        if self.condition.at_rest() {
+            return;
+        }
+        self.condition.waiting = false;
+        let begun = self.session.tick > 0;
+        let (state, reason) =
+            if begun { (State::Interrupted, Some(REASON)) } else { (State::Queued, None) };
+        if begun {
+            self.say("session", "Interrupted: the server was shut down");
+        }
+        if let Err(error) = self.settle(state, reason) {
+            self.fail(&error.to_string());
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! What the actor shows: state, snapshot, events.
+
+use super::*;
+
+impl Actor {
+    /// Shows and stores a new state.
+    pub(super) fn enter(&mut self, state: State, reason: Option<&str>) -> Result<(), ControlError> {
+        self.condition.state = state;
+        self.session.state = state;
+        self.session.reason = reason.map(str::to_owned);
+        self.session.changed_at = clock::now();
+        self.show();
+        let Session { id, changed_at, .. } = &self.session;
+        Ok(self.lab.store().update_state(id, state, reason, changed_at)?)
+    }
+
+    /// Tells viewers everything at once.
+    pub(super) fn show(&mut self) {
+        self.session.controls = self.condition.controls().iter().map(|c| (*c).to_owned()).collect();
+        self.look_at_neurons();
+        self.publish();
+        self.tell();
+        self.feed.say_state(&self.session);
+    }
+
+    pub(super) fn publish_when_due(&mut self) {
+        let watched = self.feed.viewers() > 0;
+        let every = SNAPSHOT_EVERY[usize::from(!watched)];
+        if self.published.elapsed() < every || self.condition.state != State::Running {
+            return;
+        }
+        if watched {
+            self.look_at_neurons();
+        }
+        self.publish();
+        if !self.untold_trials.is_empty() && self.told.elapsed() >= EVENTS_EVERY {
+            self.tell();
+            self.feed.say_state(&self.session);
+        }
+    }
+
+    pub(super) fn publish(&mut self) {
+        self.published = Instant::now();
+        self.feed.publish(Snapshot {
+            session: self.session.clone(),
+            tick: self.tick.clone(),
+            neurons: self.neurons.clone(),
+            paths: self.paths.clone(),
+        });
+    }
+
+    pub(super) fn tell(&mut self) {
+        self.told = Instant::now();
+        self.feed.say_trials(std::mem::take(&mut self.untold_trials));
+        self.feed.say_log(std::mem::take(&mut self.untold_lines));
+    }
+
+    pub(super) fn look_at_neurons(&mut self) {
+        if let Some(run) = &self.run {
+            self.neurons = Arc::new(run.neurons());
+        }
+    }
+
+    /// A line for the log and for viewers.
+    pub(super) fn say(&mut self, kind: &str, text: &str) {
+        let entry = LogEntry {
+            at: clock::now(),
+            tick: self.session.tick,
+            kind: kind.to_owned(),
+            text: text.to_owned(),
+        };
+        self.untold_lines.push(entry.clone());
+        match &self.log {
+            // A log that refuses is noticed with the next tick, and then the session fails.
+            Some(log) => drop(log.write(LogRecord::Entry(entry))),
+            None => self.unlogged.push(entry),
+        }
+    }
+}

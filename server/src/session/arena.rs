@@ -1,0 +1,147 @@
+//! The world as the page needs it, and the arena as it is drawn.
+
+use sonarium_core::geometry::Pose;
+use sonarium_core::world::World;
+
+use super::Snapshot;
+use crate::catalog::Plan;
+use crate::render::view::{ArenaView, NeuronMark, RegionView, RobotPose, RobotView};
+use crate::wire::{NeuronView, PoseView, TickView, WorldView};
+
+/// What of a picture stays the same while a session runs.
+#[derive(Clone, Debug)]
+pub struct Scenery {
+    empty: ArenaView,
+    regions: Vec<String>,
+    radius_m: f64,
+    cone_rad: f64,
+    range_m: f64,
+}
+
+impl Scenery {
+    /// The scenery of a plan.
+    #[must_use]
+    pub fn new(plan: &Plan) -> Self {
+        let (names, robot) = (plan.names(), plan.settings.robot());
+        Self {
+            empty: empty_arena(&plan.world.world, &names.regions),
+            regions: names.regions,
+            radius_m: robot.radius_m,
+            cone_rad: robot.sonar_cone_rad,
+            range_m: robot.sonar_range_m,
+        }
+    }
+
+    /// The world without robot or neurons.
+    #[must_use]
+    pub fn empty(&self) -> ArenaView {
+        self.empty.clone()
+    }
+
+    /// The present of a session.
+    #[must_use]
+    pub fn live(&self, snapshot: &Snapshot) -> ArenaView {
+        let paths = &snapshot.paths;
+        let tick = snapshot.tick.as_deref();
+        ArenaView {
+            earlier_paths_m: paths.earlier.iter().map(|path| path.to_vec()).collect(),
+            best_path_m: paths.best.as_deref().cloned().unwrap_or_default(),
+            path_m: paths.present.clone(),
+            collisions_m: paths.collisions.clone(),
+            neurons: self.neurons(&snapshot.neurons, tick.and_then(|tick| tick.neuron)),
+            robot: tick.map(|tick| self.robot(tick)),
+            caption: tick.map_or_else(|| "Not started".into(), caption),
+            ..self.empty()
+        }
+    }
+
+    /// The robot as a tick left it.
+    #[must_use]
+    pub fn robot(&self, tick: &TickView) -> RobotView {
+        RobotView {
+            pose: robot_pose(tick.outcome.true_pose),
+            believed: robot_pose(tick.outcome.pose),
+            radius_m: self.radius_m,
+            cone_rad: self.cone_rad,
+            range_m: self.range_m,
+            sonar_m: tick.sonar_m.clone(),
+            collided: tick.outcome.contact != "none",
+        }
+    }
+
+    /// Neurons as they are drawn.
+    #[must_use]
+    pub fn neurons(&self, neurons: &[NeuronView], winner: Option<u32>) -> Vec<NeuronMark> {
+        let utilities = neurons.iter().filter_map(|neuron| neuron.utility);
+        let worst = utilities.clone().fold(f64::INFINITY, f64::min);
+        let best = utilities.fold(f64::NEG_INFINITY, f64::max);
+        let scaled =
+            |utility: f64| if best > worst { (utility - worst) / (best - worst) } else { 1.0 };
+        let mark = |neuron: &NeuronView| NeuronMark {
+            at_m: [neuron.birth.pose.x_m, neuron.birth.pose.y_m],
+            heading_rad: neuron.heading_deg.to_radians(),
+            region: self.regions.iter().position(|name| *name == neuron.region).unwrap_or(0),
+            utility: neuron.utility.map(scaled),
+            winner: Some(neuron.id) == winner,
+        };
+        neurons.iter().map(mark).collect()
+    }
+}
+
+/// The world as the page needs it.
+#[must_use]
+pub fn world_view(plan: &Plan) -> WorldView {
+    let (world, robot) = (&plan.world.world, plan.settings.robot());
+    WorldView {
+        name: plan.world.name.clone(),
+        title: world.title().to_owned(),
+        bounds_m: world.bounds_m(),
+        walls_m: walls(world),
+        regions: plan.names().regions,
+        home: world.home().into(),
+        goal_m: [world.goal().centre.x, world.goal().centre.y],
+        goal_radius_m: world.goal().radius_m,
+        robot_radius_m: robot.radius_m,
+        sonar_range_m: robot.sonar_range_m,
+    }
+}
+
+/// An arena without robot, paths or neurons.
+#[must_use]
+pub fn empty_arena(world: &World, regions: &[String]) -> ArenaView {
+    let polygons = |index: usize| world.region_polygons(index).iter().map(|p| points(p)).collect();
+    let region = |(index, name): (usize, &String)| RegionView {
+        name: name.clone(),
+        polygons_m: polygons(index),
+    };
+    ArenaView {
+        bounds_m: world.bounds_m(),
+        walls_m: walls(world),
+        blocks_m: world.blocks().iter().map(|block| points(block)).collect(),
+        regions: regions.iter().enumerate().map(region).collect(),
+        home: home(world.home()),
+        goal_m: [world.goal().centre.x, world.goal().centre.y],
+        goal_radius_m: world.goal().radius_m,
+        ..ArenaView::default()
+    }
+}
+
+fn caption(tick: &TickView) -> String {
+    format!("Trial {}, step {}", tick.trial, tick.step)
+}
+
+fn walls(world: &World) -> Vec<[f64; 4]> {
+    world.walls().iter().map(|wall| [wall.a.x, wall.a.y, wall.b.x, wall.b.y]).collect()
+}
+
+fn points(polygon: &[sonarium_core::geometry::Vec2]) -> Vec<[f64; 2]> {
+    polygon.iter().map(|point| [point.x, point.y]).collect()
+}
+
+fn home(pose: Pose) -> RobotPose {
+    RobotPose { at_m: [pose.x_m, pose.y_m], heading_rad: pose.heading_rad }
+}
+
+fn robot_pose(pose: PoseView) -> RobotPose {
+    RobotPose { at_m: [pose.x_m, pose.y_m], heading_rad: pose.heading_deg.to_radians() }
+}

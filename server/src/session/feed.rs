@@ -1,0 +1,281 @@
+//! What viewers read: the latest snapshot and the last events. The actor writes and never waits.
+
+use std::collections::VecDeque;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use axum::extract::ws::Utf8Bytes;
+use tokio::sync::watch;
+
+use super::paths::Paths;
+use crate::wire::{
+    CurvePoint, Hello, LogEntry, NeuronView, STREAM_VERSION, ServerMessage, Session, TickView,
+    Trial, WorldView,
+};
+
+/// Events a late client can still catch up on.
+const RING: usize = 4096;
+/// Log lines that `hello` carries.
+const LOG_LINES: usize = 500;
+
+/// The present of a session, as seen from outside. Cheap to clone, never changed once published.
+#[derive(Clone, Debug)]
+pub struct Snapshot {
+    /// The session.
+    pub session: Session,
+    /// The last control step, if there was one.
+    pub tick: Option<Arc<TickView>>,
+    /// All neurons, without their centres.
+    pub neurons: Arc<Vec<NeuronView>>,
+    /// Where the robot has been.
+    pub paths: Paths,
+}
+
+/// An event as it is sent: serialised once, for everybody.
+#[derive(Clone, Debug)]
+pub struct Event {
+    /// Its number.
+    pub seq: u64,
+    /// The message.
+    pub text: Utf8Bytes,
+}
+
+/// What a client that has seen events up to some number still needs.
+pub enum Missed {
+    /// These, in order.
+    Events(Vec<Event>),
+    /// More than is still held; the oldest one held is named.
+    Gap {
+        /// Number of the oldest event held.
+        oldest: u64,
+    },
+}
+
+/// One session's public face.
+pub struct Feed {
+    world: Arc<WorldView>,
+    inner: Mutex<Inner>,
+    changed: watch::Sender<u64>,
+    viewers: AtomicUsize,
+}
+
+struct Inner {
+    snapshot: Arc<Snapshot>,
+    trials: Vec<Arc<Trial>>,
+    log: VecDeque<LogEntry>,
+    ring: VecDeque<Event>,
+    seq: u64,
+}
+
+impl Feed {
+    /// A feed over what is already known of a session.
+    #[must_use]
+    pub fn new(
+        world: Arc<WorldView>,
+        snapshot: Snapshot,
+        trials: Vec<Trial>,
+        log: Vec<LogEntry>,
+    ) -> Self {
+        let surplus = log.len().saturating_sub(LOG_LINES);
+        let inner = Inner {
+            snapshot: Arc::new(snapshot),
+            trials: trials.into_iter().map(Arc::new).collect(),
+            log: log.into_iter().skip(surplus).collect(),
+            ring: VecDeque::new(),
+            seq: first_seq(),
+        };
+        Self {
+            world,
+            inner: Mutex::new(inner),
+            changed: watch::Sender::new(1),
+            viewers: AtomicUsize::new(0),
+        }
+    }
+
+    /// The latest snapshot.
+    #[must_use]
+    pub fn snapshot(&self) -> Arc<Snapshot> {
+        self.lock().snapshot.clone()
+    }
+
+    /// The world the session runs in.
+    #[must_use]
+    pub fn world(&self) -> &Arc<WorldView> {
+        &self.world
+    }
+
+    /// All trials so far.
+    #[must_use]
+    pub fn trials(&self) -> Vec<Arc<Trial>> {
+        self.lock().trials.clone()
+    }
+
+    /// Number of the last event.
+    #[must_use]
+    pub fn seq(&self) -> u64 {
+        self.lock().seq
+    }
+
+    /// The first message for a new client: state and history.
+    #[must_use]
+    pub fn hello(&self) -> Hello {
+        let (seq, snapshot, trials, log) = {
+            let inner = self.lock();
+            let log: Vec<LogEntry> = inner.log.iter().cloned().collect();
+            (inner.seq, inner.snapshot.clone(), inner.trials.clone(), log)
+        };
+        Hello {
+            version: STREAM_VERSION,
+            seq,
+            session: snapshot.session.clone(),
+            world: WorldView::clone(&self.world),
+            trials: trials.iter().map(|trial| Trial::clone(trial)).collect(),
+            neurons: snapshot.neurons.to_vec(),
+            tick: snapshot.tick.as_deref().cloned().map(Box::new),
+            log,
+        }
+    }
+
+    /// The events after `since`.
+    #[must_use]
+    pub fn after(&self, since: u64) -> Missed {
+        let inner = self.lock();
+        let oldest = inner.ring.front().map_or(inner.seq + 1, |event| event.seq);
+        if since > inner.seq || since + 1 < oldest {
+            return Missed::Gap { oldest };
+        }
+        let first = usize::try_from(since + 1 - oldest).unwrap_or(usize::MAX);
+        Missed::Events(inner.ring.iter().skip(first).cloned().collect())
+    }
+
+    /// Wakes up whenever something was published.
+    #[must_use]
+    pub fn subscribe(&self) -> watch::Receiver<u64> {
+        self.changed.subscribe()
+    }
+
+    /// Counts what was published; grows with everything a viewer could see.
+    #[must_use]
+    pub fn version(&self) -> u64 {
+        *self.changed.borrow()
+    }
+
+    /// Counts a viewer for as long as the guard lives.
+    #[must_use]
+    pub fn watch(self: &Arc<Self>) -> Viewer {
+        self.viewers.fetch_add(1, Ordering::Relaxed);
+        Viewer(self.clone())
+    }
+
+    /// Viewers connected now.
+    #[must_use]
+    pub fn viewers(&self) -> usize {
+        self.viewers.load(Ordering::Relaxed)
+    }
+
+    /// Shows a new present.
+    pub fn publish(&self, snapshot: Snapshot) {
+        self.lock().snapshot = Arc::new(snapshot);
+        self.wake();
+    }
+
+    /// Says that the session's state, pace or progress changed.
+    pub fn say_state(&self, session: &Session) {
+        self.lock().push(|seq| ServerMessage::State { seq, session: session.clone() });
+        self.wake();
+    }
+
+    /// Says that trials ended.
+    pub fn say_trials(&self, trials: Vec<Trial>) {
+        if trials.is_empty() {
+            return;
+        }
+        let points = trials.iter().map(CurvePoint::from).collect::<Vec<_>>();
+        let mut inner = self.lock();
+        inner.trials.extend(trials.iter().cloned().map(Arc::new));
+        inner.push(|seq| ServerMessage::Trial { seq, trials });
+        inner.push(|seq| ServerMessage::Curve { seq, points });
+        drop(inner);
+        self.wake();
+    }
+
+    /// Says what happened.
+    pub fn say_log(&self, entries: Vec<LogEntry>) {
+        if entries.is_empty() {
+            return;
+        }
+        let mut inner = self.lock();
+        inner.log.extend(entries.iter().cloned());
+        let surplus = inner.log.len().saturating_sub(LOG_LINES);
+        inner.log.drain(..surplus);
+        inner.push(|seq| ServerMessage::Log { seq, entries });
+        drop(inner);
+        self.wake();
+    }
+
+    /// Keeps the first trials only, because the rest is about to be done again. What clients hold is
+    /// void, so the events before are given up and every client gets a new `hello`.
+    pub fn rewind(&self, trials_done: u32) -> Vec<Arc<Trial>> {
+        let mut inner = self.lock();
+        inner.trials.truncate(trials_done as usize);
+        inner.ring.clear();
+        inner.seq += 1;
+        inner.trials.clone()
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Inner> {
+        self.inner.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn wake(&self) {
+        self.changed.send_modify(|version| *version += 1);
+    }
+}
+
+impl Inner {
+    fn push(&mut self, message: impl FnOnce(u64) -> ServerMessage) {
+        self.seq += 1;
+        let text = text(&message(self.seq));
+        self.ring.push_back(Event { seq: self.seq, text });
+        if self.ring.len() > RING {
+            self.ring.pop_front();
+        }
+    }
+}
+
+/// A connected viewer, counted while this lives.
+pub struct Viewer(Arc<Feed>);
+
+impl Drop for Viewer {
+    fn drop(&mut self) {
+        self.0.viewers.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
+/// A message as it is sent.
+#[must_use]
+pub fn text(message: &ServerMessage) -> Utf8Bytes {
+    serde_json::to_string(message)
+        .expect("messages have string keys and finite or null numbers")
+        .into()
+}
+
+impl From<&Trial> for CurvePoint {
+    fn from(trial: &Trial) -> Self {
+        Self {
+            trial: trial.trial,
+            neurons: trial.neurons,
+            steps: trial.steps,
+            total_reinforcement: trial.total_reinforcement,
+            reached_goal: trial.reached_goal,
+        }
+    }
+}
+
+/// Numbers start at the clock's milliseconds: a client that comes back after a restart of the server
+/// holds a smaller number and is told of the gap, instead of being taken for up to date.
+fn first_seq() -> u64 {
+    let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+    u64::try_from(since_epoch.as_millis()).unwrap_or(0)
+}

@@ -1,0 +1,382 @@
+//! The laboratory: all sessions, the live and the stored.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
+use std::thread;
+
+use tokio::sync::oneshot;
+
+use super::actor::{Actor, Command, ControlError};
+use super::feed::Feed;
+use super::history;
+use super::slots::Slots;
+use super::state::{Control, name};
+use crate::catalog::{Catalog, FieldError, Plan};
+use crate::clock;
+use crate::store::{SessionRow, Store, StoreError};
+use crate::wire::{Ack, LogEntry, NeuronView, NewSession, Session, State};
+
+/// Letters and digits of identifiers: none that is easily taken for another.
+const ALPHABET: &[u8] = b"abcdefghjkmnpqrstuvwxyz23456789";
+const ID_LENGTH: usize = 8;
+
+/// All sessions. A clone is the same laboratory.
+#[derive(Clone)]
+pub struct Lab(Arc<Inner>);
+
+struct Inner {
+    catalog: Catalog,
+    store: Store,
+    slots: Slots,
+    desks: Mutex<BTreeMap<String, Desk>>,
+    ticks: AtomicU64,
+}
+
+/// What is in memory of one session.
+#[derive(Default)]
+struct Desk {
+    /// Where to send commands, while an actor is at work.
+    actor: Option<Sender<Command>>,
+    /// Alive as long as the actor or a viewer holds it.
+    feed: Weak<Feed>,
+    /// The session as it came to rest.
+    session: Option<Session>,
+    /// Lines that no log was open for.
+    unlogged: Vec<LogEntry>,
+}
+
+/// Why something could not be done with a session.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum LabError {
+    /// It is in use.
+    #[error("the session is {}; stop it before it is deleted", name(*.0))]
+    Busy(State),
+    /// A value cannot be taken.
+    #[error(transparent)]
+    Field(#[from] FieldError),
+    /// The disk refused, or there is no such session.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+}
+
+impl From<LabError> for ControlError {
+    fn from(error: LabError) -> Self {
+        match error {
+            LabError::Field(error) => Self::Field(error),
+            LabError::Store(error) => Self::Store(error),
+            LabError::Busy(_) => Self::Gone,
+        }
+    }
+}
+
+impl Lab {
+    /// A laboratory over a data folder, with places for so many running sessions.
+    #[must_use]
+    pub fn new(catalog: Catalog, store: Store, places: usize) -> Self {
+        Self(Arc::new(Inner {
+            catalog,
+            store,
+            slots: Slots::new(places),
+            desks: Mutex::default(),
+            ticks: AtomicU64::new(0),
+        }))
+    }
+
+    /// What can be run.
+    #[must_use]
+    pub fn catalog(&self) -> &Catalog {
+        &self.0.catalog
+    }
+
+    /// What is kept.
+    #[must_use]
+    pub fn store(&self) -> &Store {
+        &self.0.store
+    }
+
+    pub(super) fn slots(&self) -> &Slots {
+        &self.0.slots
+    }
+
+    /// Control steps taken by all sessions since the server started.
+    #[must_use]
+    pub fn ticks(&self) -> u64 {
+        self.0.ticks.load(Ordering::Relaxed)
+    }
+
+    pub(super) fn count_ticks(&self, ticks: u64) {
+        self.0.ticks.fetch_add(ticks, Ordering::Relaxed);
+    }
+
+    /// Viewers connected now.
+    #[must_use]
+    pub fn viewers(&self) -> usize {
+        self.desks()
+            .values()
+            .filter_map(|desk| desk.feed.upgrade())
+            .map(|feed| feed.viewers())
+            .sum()
+    }
+
+    /// Creates a session, `queued`.
+    ///
+    /// # Errors
+    /// The first field that cannot be taken, or the disk's refusal.
+    pub fn create(&self, request: &NewSession) -> Result<Session, LabError> {
+        let plan = self.catalog().resolve(request)?;
+        super::run::Run::new(&plan)?;
+        let row = new_row(&plan);
+        self.store().insert_session(&row)?;
+        Ok(history::session(self.store(), row, plan.changed)?)
+    }
+
+    /// All sessions, newest first.
+    ///
+    /// # Errors
+    /// When the store cannot be read.
+    pub fn sessions(&self) -> Result<Vec<Session>, LabError> {
+        let rows = self.store().sessions()?;
+        let mut desks = self.desks();
+        rows.into_iter().map(|row| self.look(&mut desks, row)).collect()
+    }
+
+    /// One session.
+    ///
+    /// # Errors
+    /// When there is none of that name.
+    pub fn session(&self, id: &str) -> Result<Session, LabError> {
+        let row = self.row(id)?;
+        self.look(&mut self.desks(), row)
+    }
+
+    /// What viewers see of a session.
+    ///
+    /// # Errors
+    /// When there is none of that name, or it cannot be read.
+    pub fn feed(&self, id: &str) -> Result<Arc<Feed>, LabError> {
+        let row = self.row(id)?;
+        self.open_feed(&mut self.desks(), row)
+    }
+
+    /// The full settings of a stored session, in its own world.
+    ///
+    /// # Errors
+    /// When there is none of that name, or this program no longer knows its settings.
+    pub fn plan(&self, id: &str) -> Result<Plan, LabError> {
+        Ok(self.catalog().restore(&self.row(id)?)?)
+    }
+
+    /// Asks something of a session and waits until it has taken effect.
+    ///
+    /// # Errors
+    /// When its state does not allow it, or the disk refused.
+    pub async fn control(&self, id: &str, control: Control) -> Result<Ack, ControlError> {
+        let (reply, answer) = oneshot::channel();
+        let (lab, id) = (self.clone(), id.to_owned());
+        // Opening a session reads from the disk.
+        let sent =
+            tokio::task::spawn_blocking(move || lab.send(&id, Command::Control(control, reply)));
+        sent.await.map_err(|_| ControlError::Gone)??;
+        answer.await.map_err(|_| ControlError::Gone)?
+    }
+
+    /// A neuron of a session as it is now, its centre included.
+    ///
+    /// # Errors
+    /// When the session cannot be read.
+    pub async fn neuron(&self, id: &str, number: u32) -> Result<Option<NeuronView>, LabError> {
+        let (reply, answer) = oneshot::channel();
+        if self.tell(id, Command::Look(number, reply))
+            && let Ok(Some(neuron)) = answer.await
+        {
+            return Ok(Some(neuron));
+        }
+        let last = self.session(id)?.trials_done;
+        let end = self.store().trial_end(id, last)?;
+        let neurons = end.map(|end| end.neurons).unwrap_or_default();
+        Ok(neurons.into_iter().find(|neuron| neuron.id == number))
+    }
+
+    /// Brings the log of a session under way up to the present, before it is read.
+    pub async fn flush(&self, id: &str) {
+        let (reply, answer) = oneshot::channel();
+        if self.tell(id, Command::Flush(reply)) {
+            // An actor that ended meanwhile has closed its log.
+            let _ = answer.await;
+        }
+    }
+
+    /// Deletes a session that is not in use.
+    ///
+    /// # Errors
+    /// When it is in use, or there is none of that name.
+    pub fn delete(&self, id: &str) -> Result<(), LabError> {
+        let row = self.row(id)?;
+        let mut desks = self.desks();
+        let session = self.look(&mut desks, row)?;
+        if desks.get(id).is_some_and(|desk| desk.actor.is_some()) {
+            return Err(LabError::Busy(session.state));
+        }
+        self.store().delete_session(id)?;
+        desks.remove(id);
+        Ok(())
+    }
+
+    /// Ends all sessions so that they can be taken up again.
+    pub async fn close(&self) {
+        let answers: Vec<_> = {
+            let desks = self.desks();
+            let actors = desks.values().filter_map(|desk| desk.actor.as_ref());
+            let close = |actor: &Sender<Command>| {
+                let (reply, answer) = oneshot::channel();
+                actor.send(Command::Close(reply)).ok().map(|()| answer)
+            };
+            actors.filter_map(close).collect()
+        };
+        for answer in answers {
+            // An actor that ended meanwhile has nothing to close.
+            let _ = answer.await;
+        }
+    }
+
+    /// Sends a command to an actor at work; says whether there is one.
+    fn tell(&self, id: &str, command: Command) -> bool {
+        let desks = self.desks();
+        let actor = desks.get(id).and_then(|desk| desk.actor.as_ref());
+        actor.is_some_and(|actor| actor.send(command).is_ok())
+    }
+
+    fn send(&self, id: &str, command: Command) -> Result<(), LabError> {
+        let row = self.row(id)?;
+        let mut desks = self.desks();
+        let actor = desks.get(id).and_then(|desk| desk.actor.clone());
+        let actor = match actor {
+            Some(actor) => actor,
+            None => self.employ(&mut desks, row)?,
+        };
+        // Sent while the desks are locked, so that the actor cannot retire in between.
+        drop(actor.send(command));
+        Ok(())
+    }
+
+    /// Starts an actor for a session at rest.
+    fn employ(
+        &self,
+        desks: &mut BTreeMap<String, Desk>,
+        row: SessionRow,
+    ) -> Result<Sender<Command>, LabError> {
+        let id = row.id.clone();
+        let checkpoint = self.store().checkpoint(&id)?.is_some();
+        let feed = self.open_feed(desks, row)?;
+        let desk = desks.entry(id.clone()).or_default();
+        let (sender, commands) = channel();
+        let unlogged = std::mem::take(&mut desk.unlogged);
+        let channel = (sender.clone(), commands);
+        let actor = Actor::new(self.clone(), feed, channel, checkpoint, unlogged);
+        thread::Builder::new().name(format!("session {id}")).spawn(move || actor.serve()).map_err(
+            |error| StoreError::Index { doing: "start a thread", reason: error.to_string() },
+        )?;
+        desk.actor = Some(sender.clone());
+        desk.session = None;
+        Ok(sender)
+    }
+
+    /// Lets an actor go, unless a command is on its way.
+    pub(super) fn retire(
+        &self,
+        session: &Session,
+        commands: &Receiver<Command>,
+        unlogged: impl FnOnce() -> Vec<LogEntry>,
+    ) -> Option<Command> {
+        let mut desks = self.desks();
+        if let Ok(command) = commands.try_recv() {
+            return Some(command);
+        }
+        let desk = desks.entry(session.id.clone()).or_default();
+        desk.actor = None;
+        desk.session = Some(session.clone());
+        desk.unlogged = unlogged();
+        None
+    }
+
+    /// A session as it is now, from memory where it is there.
+    fn look(
+        &self,
+        desks: &mut BTreeMap<String, Desk>,
+        row: SessionRow,
+    ) -> Result<Session, LabError> {
+        let desk = desks.entry(row.id.clone()).or_default();
+        if let Some(feed) = desk.feed.upgrade() {
+            return Ok(feed.snapshot().session.clone());
+        }
+        if let Some(session) = &desk.session {
+            return Ok(session.clone());
+        }
+        // A session this program cannot run can still be listed.
+        let changed = self.catalog().restore(&row).map(|plan| plan.changed).unwrap_or_default();
+        let session = history::session(self.store(), row, changed)?;
+        desk.session = Some(session.clone());
+        Ok(session)
+    }
+
+    fn open_feed(
+        &self,
+        desks: &mut BTreeMap<String, Desk>,
+        row: SessionRow,
+    ) -> Result<Arc<Feed>, LabError> {
+        let id = row.id.clone();
+        if let Some(feed) = desks.get(&id).and_then(|desk| desk.feed.upgrade()) {
+            return Ok(feed);
+        }
+        let plan = self.catalog().restore(&row)?;
+        let session = self.look(desks, row)?;
+        let feed = Arc::new(history::feed(self.store(), &plan, session)?);
+        desks.entry(id).or_default().feed = Arc::downgrade(&feed);
+        Ok(feed)
+    }
+
+    fn row(&self, id: &str) -> Result<SessionRow, LabError> {
+        let row = self.store().session(id)?;
+        Ok(row.ok_or_else(|| StoreError::NoSession { id: id.to_owned() })?)
+    }
+
+    fn desks(&self) -> MutexGuard<'_, BTreeMap<String, Desk>> {
+        self.0.desks.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+fn new_row(plan: &Plan) -> SessionRow {
+    let now = clock::now();
+    SessionRow {
+        id: new_id(),
+        experiment: plan.experiment.clone(),
+        seed: plan.seed,
+        preset: plan.preset.clone(),
+        world: plan.world.name.clone(),
+        world_text: plan.world.text.clone(),
+        settings: plan.values.clone(),
+        trials: plan.trials,
+        speed: plan.speed,
+        build: crate::build(),
+        state: State::Queued,
+        reason: None,
+        created_at: now.clone(),
+        changed_at: now,
+        tick: 0,
+        trials_done: 0,
+    }
+}
+
+/// An identifier short enough to be read out.
+fn new_id() -> String {
+    let letters = ALPHABET.len() as u64;
+    let mut rest = clock::entropy();
+    let mut letter = || {
+        let index = usize::try_from(rest % letters).unwrap_or_default();
+        rest /= letters;
+        char::from(ALPHABET[index])
+    };
+    (0..ID_LENGTH).map(|_| letter()).collect()
+}

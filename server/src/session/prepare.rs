@@ -1,0 +1,60 @@
+//! Getting a session ready: its machine and its log, new or from the last checkpoint.
+
+use super::actor::ControlError;
+use super::lab::Lab;
+use super::run::Run;
+use crate::catalog::Plan;
+use crate::store::{LogHeader, LogWriter, SessionRow, Store, StoreError, resume_log};
+use crate::wire::LogEntry;
+
+/// A session ready for its next tick.
+pub(super) struct Prepared {
+    pub(super) run: Run,
+    pub(super) log: LogWriter,
+    /// Last tick that counts.
+    pub(super) tick: u64,
+    /// Trials that count.
+    pub(super) trials_done: u32,
+    /// What was said after the checkpoint. The log goes on from there, but these things happened.
+    pub(super) lost: Vec<LogEntry>,
+}
+
+impl Prepared {
+    /// Reads what is stored of a session and opens it.
+    pub(super) fn new(lab: &Lab, id: &str) -> Result<Self, ControlError> {
+        let store = lab.store();
+        let row = store.session(id)?.ok_or_else(|| StoreError::NoSession { id: id.to_owned() })?;
+        let plan = lab.catalog().restore(&row)?;
+        let checkpoint = store.checkpoint(id)?;
+        let run = match &checkpoint {
+            Some(checkpoint) => Run::resume(&plan, checkpoint)?,
+            None => Run::new(&plan)?,
+        };
+        let (tick, trials_done) = checkpoint.map_or((0, 0), |c| (c.tick, c.trials_done));
+        let said = store.events(id, usize::MAX)?;
+        let log = open_log(store, &row, &plan, tick)?;
+        let kept = store.events(id, usize::MAX)?.len();
+        let lost = said.into_iter().skip(kept).filter(|entry| entry.kind != "trial").collect();
+        Ok(Self { run, log, tick, trials_done, lost })
+    }
+}
+
+fn open_log(
+    store: &Store,
+    row: &SessionRow,
+    plan: &Plan,
+    tick: u64,
+) -> Result<LogWriter, StoreError> {
+    if store.log_path(&row.id).exists() {
+        return resume_log(store, &row.id, tick);
+    }
+    let header = LogHeader {
+        experiment: row.experiment.clone(),
+        seed: row.seed,
+        settings: plan.values.clone(),
+        trials: row.trials,
+        build: row.build.clone(),
+        world_text: row.world_text.clone(),
+    };
+    LogWriter::create(store, &row.id, &header)
+}

@@ -1,0 +1,190 @@
+//! Reports and stills of stored sessions and trials, put together from the log.
+
+use super::arena::{Scenery, world_view};
+use super::lab::{Lab, LabError};
+use super::paths::Paths;
+use crate::catalog::Plan;
+use crate::render::{ArenaView, Quality, RenderError, Renderer};
+use crate::report::{Picture, SessionReport, TrialReport};
+use crate::store::StoreError;
+use crate::wire::{PresetInfo, Session, Summary, ThemeName, TickView, Trial, TrialEndView};
+
+/// Size of the stills in reports, pixels.
+const STILL_PX: (u32, u32) = (960, 640);
+/// Lines of the event log in a report.
+const LINES: usize = 2000;
+
+/// Why there is no report.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// The session cannot be read.
+    #[error(transparent)]
+    Lab(#[from] LabError),
+    /// A still cannot be drawn.
+    #[error(transparent)]
+    Render(#[from] RenderError),
+    /// There is no such trial.
+    #[error("trial {trial} has not ended; {done} trials have")]
+    NoTrial {
+        /// What was asked for.
+        trial: u32,
+        /// Trials done.
+        done: u32,
+    },
+}
+
+impl From<StoreError> for ReportError {
+    fn from(error: StoreError) -> Self {
+        Self::Lab(error.into())
+    }
+}
+
+/// What reports are made from: the laboratory and something to draw with.
+#[derive(Clone, Copy)]
+pub struct Reporter<'a> {
+    /// Where the sessions are.
+    pub lab: &'a Lab,
+    /// What draws the stills.
+    pub renderer: &'a Renderer,
+}
+
+impl Reporter<'_> {
+    /// Everything the report of a session is made from.
+    ///
+    /// # Errors
+    /// When the session cannot be read, or a still not be drawn.
+    pub fn session(&self, id: &str) -> Result<SessionReport, ReportError> {
+        let (plan, session) = (self.lab.plan(id)?, self.lab.session(id)?);
+        let trials = self.lab.store().trials(id)?;
+        Ok(SessionReport {
+            title: self.title(&session),
+            summary: summary(&trials),
+            settings: self.experiment(&session).map(|e| e.settings.clone()).unwrap_or_default(),
+            preset: self.preset(&session),
+            world: world_view(&plan),
+            events: self.lab.store().events(id, LINES)?,
+            pictures: self.stills(id, &plan, &trials)?,
+            build: crate::build(),
+            session,
+            trials,
+        })
+    }
+
+    /// Everything the report of a trial is made from.
+    ///
+    /// # Errors
+    /// When there is no such trial, or it cannot be read or drawn.
+    pub fn trial(&self, id: &str, trial: u32) -> Result<TrialReport, ReportError> {
+        let (plan, session) = (self.lab.plan(id)?, self.lab.session(id)?);
+        let (end, ticks) = self.read(id, trial)?;
+        let view = trial_view(&plan, &end, &ticks);
+        let caption = view.caption.clone();
+        let picture = self.still(view, &format!("trial-{trial:03}"), caption)?;
+        Ok(TrialReport { title: self.title(&session), session, end, ticks, picture: Some(picture) })
+    }
+
+    /// The arena with the path of one trial and the neurons after it.
+    ///
+    /// # Errors
+    /// When there is no such trial, or it cannot be read.
+    pub fn trial_arena(&self, id: &str, trial: u32) -> Result<ArenaView, ReportError> {
+        let plan = self.lab.plan(id)?;
+        let (end, ticks) = self.read(id, trial)?;
+        Ok(trial_view(&plan, &end, &ticks))
+    }
+
+    fn read(&self, id: &str, trial: u32) -> Result<(TrialEndView, Vec<TickView>), ReportError> {
+        let store = self.lab.store();
+        let Some(end) = store.trial_end(id, trial)? else {
+            let done = self.lab.session(id)?.trials_done;
+            return Err(ReportError::NoTrial { trial, done });
+        };
+        let ticks = store.ticks(id, end.trial.first_tick, end.trial.last_tick)?;
+        Ok((end, ticks))
+    }
+
+    /// The first trial, the best and the last.
+    fn stills(&self, id: &str, plan: &Plan, trials: &[Trial]) -> Result<Vec<Picture>, ReportError> {
+        let first = trials.first().map(|trial| ("First", trial.trial));
+        let best = summary(trials).best_trial.map(|trial| ("Best", trial));
+        let last = trials.last().map(|trial| ("Last", trial.trial));
+        let mut stills: Vec<Picture> = Vec::new();
+        for (word, trial) in [first, best, last].into_iter().flatten() {
+            let name = format!("trial-{trial:03}");
+            if stills.iter().any(|still| still.name == name) {
+                continue;
+            }
+            let (end, ticks) = self.read(id, trial)?;
+            let view = trial_view(plan, &end, &ticks);
+            let caption = format!("{word} trial. {}", view.caption);
+            stills.push(self.still(view, &name, caption)?);
+        }
+        Ok(stills)
+    }
+
+    fn still(&self, view: ArenaView, name: &str, caption: String) -> Result<Picture, RenderError> {
+        let (width, height) = STILL_PX;
+        let alt = format!("Map of the arena with the robot's path. {caption}");
+        let quality = Quality::Balanced;
+        let png = self.renderer.picture_blocking(view, width, height, ThemeName::Light, quality)?;
+        Ok(Picture { name: name.to_owned(), caption, alt, png: png.to_vec() })
+    }
+
+    fn experiment(&self, session: &Session) -> Option<&crate::wire::ExperimentInfo> {
+        self.lab.catalog().experiment(&session.experiment)
+    }
+
+    fn title(&self, session: &Session) -> String {
+        self.experiment(session).map_or_else(|| session.experiment.clone(), |e| e.title.clone())
+    }
+
+    fn preset(&self, session: &Session) -> PresetInfo {
+        let presets = self.experiment(session).map(|experiment| &experiment.presets);
+        let preset = presets.and_then(|all| all.iter().find(|p| p.name == session.preset));
+        preset.cloned().unwrap_or_else(|| PresetInfo {
+            name: session.preset.clone(),
+            title: session.preset.clone(),
+            summary: String::new(),
+            settings: Default::default(),
+        })
+    }
+}
+
+/// Summary over trials.
+#[must_use]
+pub fn summary(trials: &[Trial]) -> Summary {
+    let reached = || trials.iter().filter(|trial| trial.reached_goal);
+    let better = |a: &&Trial, b: &&Trial| a.total_reinforcement.total_cmp(&b.total_reinforcement);
+    // Of equals, the first: it was the record.
+    let best = reached().rev().max_by(better);
+    let last = trials.last();
+    Summary {
+        trials: u32::try_from(trials.len()).unwrap_or(u32::MAX),
+        reached: u32::try_from(reached().count()).unwrap_or(u32::MAX),
+        best_total_reinforcement: best.map(|trial| trial.total_reinforcement),
+        best_trial: best.map(|trial| trial.trial),
+        last_steps: last.map(|trial| trial.steps),
+        last_total_reinforcement: last.map(|trial| trial.total_reinforcement),
+        neurons: last.map_or(0, |trial| trial.neurons),
+        collisions: trials.iter().map(|trial| trial.collisions).sum(),
+        steps: trials.iter().map(|trial| u64::from(trial.steps)).sum(),
+    }
+}
+
+fn trial_view(plan: &Plan, end: &TrialEndView, ticks: &[TickView]) -> ArenaView {
+    let scenery = Scenery::new(plan);
+    let mut paths = Paths::default();
+    for tick in ticks {
+        paths.follow(tick);
+    }
+    let Trial { trial, steps, total_reinforcement, reached_goal, .. } = &end.trial;
+    let result = if *reached_goal { "reached the goal in" } else { "did not reach the goal in" };
+    ArenaView {
+        path_m: paths.present,
+        collisions_m: paths.collisions,
+        neurons: scenery.neurons(&end.neurons, None),
+        robot: ticks.last().map(|tick| scenery.robot(tick)),
+        caption: format!("Trial {trial} {result} {steps} steps, R = {total_reinforcement:.2}"),
+        ..scenery.empty()
+    }
+}

@@ -1,0 +1,91 @@
+//! A run: the experiment's machine and the names its numbers stand for.
+
+use sonarium_core::experiment::{Checkpoint, MinimumCostPath};
+use sonarium_core::learner::{Tick, TrialEnd};
+
+use super::view::Names;
+use crate::catalog::{FieldError, Plan};
+use crate::store::{LogRecord, StoredCheckpoint};
+use crate::wire::{NeuronView, TickView, Trial, TrialEndView};
+
+/// An experiment under way.
+pub struct Run {
+    machine: MinimumCostPath,
+    names: Names,
+}
+
+/// What one control step gave.
+pub struct Stepped {
+    /// The step.
+    pub tick: TickView,
+    /// What the learner did, when the trial ended with this step.
+    pub end: Option<TrialEndView>,
+}
+
+impl Run {
+    /// A new run with an empty network.
+    ///
+    /// # Errors
+    /// When the settings do not fit the world.
+    pub fn new(plan: &Plan) -> Result<Self, FieldError> {
+        let machine = MinimumCostPath::new(plan.world.world.clone(), &plan.settings, plan.seed)
+            .map_err(|error| FieldError::new("settings", error.to_string()))?;
+        Ok(Self { machine, names: plan.names() })
+    }
+
+    /// Goes on from a checkpoint, to the same bits as if it had never stopped.
+    ///
+    /// # Errors
+    /// When the checkpoint is damaged or belongs to another program, world or setting.
+    pub fn resume(plan: &Plan, stored: &StoredCheckpoint) -> Result<Self, FieldError> {
+        let refuse =
+            |why: String| FieldError::new("checkpoint", format!("{why}; reset the session"));
+        let checkpoint: Checkpoint =
+            postcard::from_bytes(&stored.bytes).map_err(|error| refuse(error.to_string()))?;
+        let world = plan.world.world.clone();
+        let machine = MinimumCostPath::resume(world, &plan.settings, plan.seed, &checkpoint)
+            .map_err(|error| refuse(error.to_string()))?;
+        Ok(Self { machine, names: plan.names() })
+    }
+
+    /// One control step with everything there is to say about it.
+    pub fn step(&mut self) -> Stepped {
+        let Self { machine, names } = self;
+        let (tick, end) = machine.step();
+        let (tick, end) = (names.tick(tick), end.cloned());
+        let end = end.map(|end| names.trial_end(&end, machine.neurons()));
+        Stepped { tick, end }
+    }
+
+    /// One control step, when nobody wants to know more than how trials end.
+    pub fn step_silently(&mut self) -> Option<Trial> {
+        let (_, end): (&Tick, Option<&TrialEnd>) = self.machine.step();
+        end.map(|end| self.names.trial(&end.record))
+    }
+
+    /// All neurons, without their centres.
+    #[must_use]
+    pub fn neurons(&self) -> Vec<NeuronView> {
+        self.machine.neurons().map(|neuron| self.names.neuron(&neuron)).collect()
+    }
+
+    /// One neuron with its centre.
+    #[must_use]
+    pub fn neuron(&self, number: u32) -> Option<NeuronView> {
+        let found = self.machine.neurons().find(|neuron| neuron.id.0 == number);
+        found.map(|neuron| self.names.whole_neuron(&neuron))
+    }
+
+    /// What to resume from, between two trials.
+    #[must_use]
+    pub fn checkpoint(&self) -> Option<LogRecord> {
+        let checkpoint = self.machine.checkpoint()?;
+        let bytes = postcard::to_stdvec(&checkpoint)
+            .expect("a checkpoint is plain data, which postcard always takes");
+        Some(LogRecord::Checkpoint {
+            trials_done: checkpoint.trials_done(),
+            tick: checkpoint.tick(),
+            bytes,
+        })
+    }
+}

@@ -1,0 +1,279 @@
+//! What the core says, as it travels: radians become degrees, indices become names.
+
+use sonarium_core::control::ReflexTrace;
+use sonarium_core::experiment::NeuronRef;
+use sonarium_core::geometry::{Pose, wrap_angle};
+use sonarium_core::learner::{
+    ActionSource, Adaptation, Birth, BirthCause, Change, Exploration, NeuronId, Origin, Outcome,
+    Tick, TrialEnd, TrialRecord, Update, Winner,
+};
+use sonarium_core::robot::Contact;
+
+use crate::wire::{
+    AdaptationView, BirthView, ChangeView, ExplorationView, NeuronView, OutcomeView, PoseView,
+    ReflexView, TickView, Trial, TrialEndView, WinnerView,
+};
+
+/// The names a session's indices stand for.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Names {
+    /// The regions, in the world's order.
+    pub regions: Vec<String>,
+    /// There is one network for the whole world, the setting `learner.regions`.
+    pub one_network: bool,
+    /// Frame of prototypical actions, the setting `learner.action_frame`.
+    pub action_frame: String,
+}
+
+impl Names {
+    /// A region's name.
+    #[must_use]
+    pub fn region(&self, index: usize) -> String {
+        self.regions.get(index).cloned().unwrap_or_else(|| format!("region {}", index + 1))
+    }
+
+    /// Name of the region whose network this is.
+    fn network(&self, index: usize) -> String {
+        if self.one_network { "all".to_owned() } else { self.region(index) }
+    }
+
+    /// One control step.
+    #[must_use]
+    pub fn tick(&self, tick: &Tick) -> TickView {
+        TickView {
+            tick: tick.tick,
+            trial: tick.trial,
+            step: tick.step,
+            true_pose: tick.true_pose.into(),
+            pose: tick.pose.into(),
+            sonar_m: tick.sonar_m.to_vec(),
+            reflectance_pct: tick.reflectance_pct,
+            goal_distance_m: tick.goal_distance_m,
+            goal_bearing_deg: tick.goal_bearing_rad.to_degrees(),
+            region: self.region(tick.region),
+            winner: tick.winner.map(WinnerView::from),
+            born: number(tick.born),
+            reflex: tick.reflex.as_ref().map(ReflexView::from),
+            adaptation: tick.adaptation.into(),
+            neuron: number(tick.neuron),
+            prototypical_deg: tick.prototypical_rad.to_degrees(),
+            utility: tick.utility,
+            exploration: tick.exploration.into(),
+            source: source(tick.source).to_owned(),
+            action_deg: tick.action_rad.to_degrees(),
+            action_frame: self.action_frame.clone(),
+            rotation_deg: tick.rotation_rad.to_degrees(),
+            outcome: (&tick.outcome).into(),
+            neurons: count(tick.neurons),
+            total_reinforcement: tick.total_reinforcement,
+        }
+    }
+
+    /// A neuron without its centre, as viewers get it.
+    #[must_use]
+    pub fn neuron(&self, neuron: &NeuronRef<'_>) -> NeuronView {
+        NeuronView {
+            id: neuron.id.0,
+            region: self.network(neuron.region),
+            centre: Vec::new(),
+            prototypical_deg: neuron.prototypical_rad.to_degrees(),
+            heading_deg: wrap_angle(neuron.heading_rad).to_degrees(),
+            mean_deg: neuron.mean_deg,
+            utility: neuron.utility,
+            wins: neuron.wins,
+            birth: neuron.birth.into(),
+        }
+    }
+
+    /// A neuron with its centre, as the log keeps it.
+    #[must_use]
+    pub fn whole_neuron(&self, neuron: &NeuronRef<'_>) -> NeuronView {
+        NeuronView { centre: neuron.centre.to_vec(), ..self.neuron(neuron) }
+    }
+
+    /// A trial's row.
+    #[must_use]
+    pub fn trial(&self, record: &TrialRecord) -> Trial {
+        let regions = record.region_steps.iter().enumerate();
+        Trial {
+            trial: record.trial,
+            steps: record.steps,
+            total_reinforcement: record.total_reinforcement,
+            safety: record.safety,
+            goal: record.goal,
+            neurons: count(record.neurons),
+            born: record.born,
+            forgotten: record.forgotten,
+            collisions: record.collisions,
+            reached_goal: record.reached_goal,
+            record: record.record,
+            temperature_deg: record.temperature_deg,
+            path_m: record.path_m,
+            region_steps: regions.map(|(index, steps)| (self.region(index), *steps)).collect(),
+            first_tick: record.first_tick,
+            last_tick: record.last_tick,
+        }
+    }
+
+    /// What the learner did at a trial's end.
+    #[must_use]
+    pub fn trial_end<'a>(
+        &self,
+        end: &TrialEnd,
+        neurons: impl Iterator<Item = NeuronRef<'a>>,
+    ) -> TrialEndView {
+        TrialEndView {
+            trial: self.trial(&end.record),
+            backed_up: end.backed_up.iter().map(ChangeView::from).collect(),
+            replaced: end.replaced.iter().map(in_degrees).collect(),
+            proposed: end.proposed.iter().map(ChangeView::from).collect(),
+            forgotten: end.forgotten.iter().map(|id| id.0).collect(),
+            neurons: neurons.map(|neuron| self.whole_neuron(&neuron)).collect(),
+        }
+    }
+}
+
+fn number(id: Option<NeuronId>) -> Option<u32> {
+    id.map(|id| id.0)
+}
+
+fn count(neurons: usize) -> u32 {
+    u32::try_from(neurons).unwrap_or(u32::MAX)
+}
+
+fn source(source: ActionSource) -> &'static str {
+    match source {
+        ActionSource::Network => "network",
+        ActionSource::Reflex => "reflex",
+        ActionSource::AfterRescue => "after-rescue",
+    }
+}
+
+fn in_degrees(change: &Change) -> ChangeView {
+    ChangeView {
+        neuron: change.neuron.0,
+        before: change.before.to_degrees(),
+        after: change.after.to_degrees(),
+    }
+}
+
+impl From<Pose> for PoseView {
+    fn from(pose: Pose) -> Self {
+        Self { x_m: pose.x_m, y_m: pose.y_m, heading_deg: pose.heading_rad.to_degrees() }
+    }
+}
+
+impl From<Winner> for WinnerView {
+    fn from(winner: Winner) -> Self {
+        Self { neuron: winner.neuron.0, distance: winner.distance }
+    }
+}
+
+impl From<&ReflexTrace> for ReflexView {
+    fn from(trace: &ReflexTrace) -> Self {
+        Self {
+            nearest_m: trace.nearest_m,
+            near: trace.near,
+            avoid: trace.avoid,
+            goal: trace.goal,
+            fused: trace.fused,
+            rotation_deg: trace.rotation_rad.to_degrees(),
+        }
+    }
+}
+
+impl From<Exploration> for ExplorationView {
+    fn from(unit: Exploration) -> Self {
+        Self {
+            temperature_deg: unit.temperature_deg,
+            mean_deg: unit.mean_deg,
+            sigma_deg: unit.sigma_deg,
+            deviation_deg: unit.deviation_deg,
+            drawn_deg: unit.drawn_deg,
+            xi_deg: unit.xi_deg,
+        }
+    }
+}
+
+impl From<Adaptation> for AdaptationView {
+    fn from(adaptation: Adaptation) -> Self {
+        match adaptation {
+            Adaptation::NoPast => Self::NoPast,
+            Adaptation::Off => Self::Off,
+            Adaptation::Pending { past } => Self::Pending { past: past.0 },
+            Adaptation::Split { past, delta, added } => {
+                Self::Split { past: past.0, delta, added: added.0 }
+            }
+            Adaptation::Updated(update) => update.into(),
+        }
+    }
+}
+
+impl From<Update> for AdaptationView {
+    fn from(update: Update) -> Self {
+        Self::Updated {
+            past: update.past.0,
+            reinforcement: update.reinforcement,
+            present_utility: update.present_utility,
+            utility_before: update.utility_before,
+            delta: update.delta,
+            utility_rate: update.utility_rate,
+            utility_after: update.utility_after,
+            eligibility: update.eligibility,
+            mean_before_deg: update.mean_before_deg,
+            mean_after_deg: update.mean_after_deg,
+            centre_shift: update.centre_shift,
+        }
+    }
+}
+
+impl From<&Outcome> for OutcomeView {
+    fn from(outcome: &Outcome) -> Self {
+        let contact = match outcome.contact {
+            Contact::None => "none",
+            Contact::Virtual => "virtual",
+            Contact::Real => "real",
+        };
+        Self {
+            true_pose: outcome.true_pose.into(),
+            pose: outcome.pose.into(),
+            contact: contact.to_owned(),
+            backed_m: outcome.backed_m,
+            reinforcement: outcome.reinforcement.total(),
+            safety: outcome.reinforcement.safety,
+            goal: outcome.reinforcement.goal,
+            close: outcome.reinforcement.close,
+            reached_goal: outcome.reached_goal,
+        }
+    }
+}
+
+impl From<&Birth> for BirthView {
+    fn from(birth: &Birth) -> Self {
+        let (cause, value) = match birth.cause {
+            BirthCause::Empty => ("empty", None),
+            BirthCause::Distance { distance } => ("distance", Some(distance)),
+            BirthCause::Error { delta } => ("error", Some(delta)),
+            BirthCause::Rescue => ("rescue", None),
+        };
+        let parent = match birth.origin {
+            Origin::Reflex => None,
+            Origin::Inherited { parent } => Some(parent.0),
+        };
+        Self {
+            trial: birth.trial,
+            step: birth.step,
+            tick: birth.tick,
+            cause: cause.to_owned(),
+            value,
+            parent,
+            pose: birth.pose.into(),
+        }
+    }
+}
+
+impl From<&Change> for ChangeView {
+    fn from(change: &Change) -> Self {
+        Self { neuron: change.neuron.0, before: change.before, after: change.after }
+    }
+}

@@ -1,0 +1,108 @@
+//! What a log holds: its records, their channels and their times.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use utoipa::ToSchema;
+
+use crate::wire::{LogEntry, TickView, TrialEndView};
+
+/// Log time of one tick, nanoseconds: a tenth of a second, the pace of the real robot, so that a
+/// viewer of MCAP files plays a log as the robot would have driven it.
+///
+/// Every record's log time is its tick times this, never the time of day: the same run writes the
+/// same records. Only the texts of events hold the time of day.
+pub const TICK_NS: u64 = 100_000_000;
+
+/// The first record of a log: all that is needed to run the session again.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct LogHeader {
+    /// Name of the experiment.
+    pub experiment: String,
+    /// Seed.
+    pub seed: u64,
+    /// Every setting with its value, `preset` and `world` included.
+    #[schema(value_type = Object)]
+    pub settings: BTreeMap<String, Value>,
+    /// Trials asked for.
+    pub trials: u32,
+    /// Program version and commit.
+    pub build: String,
+    /// The world's file as it was used.
+    pub world_text: String,
+}
+
+/// One thing to put in a log.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LogRecord {
+    /// A control step.
+    Tick(Box<TickView>),
+    /// The end of a trial.
+    TrialEnd(Box<TrialEndView>),
+    /// A line of the event log.
+    Entry(LogEntry),
+    /// State to resume from, after everything given before it. It goes to the index, not to the
+    /// log, and is never read from one.
+    Checkpoint {
+        /// Trials done.
+        trials_done: u32,
+        /// Last tick done.
+        tick: u64,
+        /// The state, as its owner encodes it.
+        bytes: Vec<u8>,
+    },
+}
+
+/// A channel of the log. The numbers are fixed, so that one chunk can be read without the others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Topic {
+    Session = 1,
+    Tick = 2,
+    Trial = 3,
+    Event = 4,
+}
+
+impl Topic {
+    pub(super) const ALL: [Self; 4] = [Self::Session, Self::Tick, Self::Trial, Self::Event];
+
+    /// Number of the channel and of its schema.
+    pub(super) fn number(self) -> u16 {
+        self as u16
+    }
+
+    pub(super) fn from_number(number: u16) -> Option<Self> {
+        Self::ALL.into_iter().find(|topic| topic.number() == number)
+    }
+
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Session => "/session",
+            Self::Tick => "/tick",
+            Self::Trial => "/trial",
+            Self::Event => "/event",
+        }
+    }
+}
+
+/// A message as it stands in a log.
+#[derive(Clone, Debug)]
+pub(super) struct RawMessage {
+    pub(super) topic: Topic,
+    /// Tick it belongs to.
+    pub(super) tick: u64,
+    /// JSON.
+    pub(super) data: Vec<u8>,
+}
+
+impl RawMessage {
+    /// What it says; none for the header.
+    pub(super) fn decode(&self) -> serde_json::Result<Option<LogRecord>> {
+        Ok(match self.topic {
+            Topic::Session => None,
+            Topic::Tick => Some(LogRecord::Tick(serde_json::from_slice(&self.data)?)),
+            Topic::Trial => Some(LogRecord::TrialEnd(serde_json::from_slice(&self.data)?)),
+            Topic::Event => Some(LogRecord::Entry(serde_json::from_slice(&self.data)?)),
+        })
+    }
+}

@@ -1,0 +1,26 @@
+//! The browser tests: Playwright against a real server.
+
+use std::process::Command;
+
+use e2e::{Server, chromium, node_modules, root};
+
+#[test]
+fn a_person_can_do_the_whole_story_in_a_browser() {
+    let browser = chromium();
+    let folder = root().join("tests");
+    node_modules(&folder);
+    let server = Server::start();
+    let output = Command::new("npx")
+        .args(["playwright", "test"])
+        .current_dir(&folder)
+        .env("SONARIUM_URL", server.url())
+        .env("CHROMIUM", browser)
+        .output()
+        .expect("npx can be started: Node 20.19 or newer is needed");
+    assert!(
+        output.status.success(),
+        "{}\n{}",
+        String::from_utf8_lossy(&output.stdout),
+        String::from_utf8_lossy(&output.stderr),
+    );
+}

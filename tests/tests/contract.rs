@@ -1,0 +1,197 @@
+//! The contract of the command line and of the interface, as its users rely on it.
+
+use e2e::{Server, root, sonarium};
+use serde_json::{Value, json};
+
+const EXPERIMENT: &str = "minimum-cost-path";
+
+#[test]
+fn run_prints_one_object_with_the_fields_that_stay() {
+    let run = sonarium(&["run", EXPERIMENT, "--seed", "3", "--trials", "2", "--json"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let result: Value = serde_json::from_str(&run.stdout).expect("one JSON object");
+    for field in ["experiment", "seed", "build", "settings", "trials", "summary"] {
+        assert!(!result[field].is_null(), "{field}");
+    }
+    for field in ["trial", "steps", "total_reinforcement", "neurons", "collisions", "reached_goal"]
+    {
+        assert!(!result["trials"][1][field].is_null(), "{field}");
+    }
+    assert_eq!(result["seed"], 3);
+}
+
+#[test]
+fn several_seeds_print_one_object_a_line_in_order() {
+    let run = sonarium(&["run", EXPERIMENT, "--seeds", "4..6", "--trials", "1", "--json"]);
+    let seeds: Vec<Value> = run
+        .stdout
+        .lines()
+        .map(|line| serde_json::from_str::<Value>(line).expect("an object a line")["seed"].clone())
+        .collect();
+    assert_eq!(seeds, [json!(4), json!(5), json!(6)]);
+}
+
+#[test]
+fn the_command_line_refuses_bad_input_and_names_the_field() {
+    let broken = tempfile::NamedTempFile::new().expect("a temporary file");
+    std::fs::write(broken.path(), "sonar.noise = = 1").expect("can be written");
+    let broken = broken.path().to_str().expect("a plain path");
+    for (arguments, words) in [
+        (vec!["run", "minimum-cost-pth"], vec!["minimum-cost-pth", "minimum-cost-path"]),
+        (vec!["run", EXPERIMENT, "--set", "sonar.nose=0.1"], vec!["sonar.nose", "sonar.noise"]),
+        (vec!["run", EXPERIMENT, "--set", "sonar.noise=9"], vec!["sonar.noise", "0 to 0.5"]),
+        (vec!["run", EXPERIMENT, "--set", "learner.learning=maybe"], vec!["true or false"]),
+        (vec!["run", EXPERIMENT, "--set", "world=atlantis"], vec!["world", "laboratory"]),
+        (vec!["run", EXPERIMENT, "--set", "sonar.noise"], vec!["key=value"]),
+        (vec!["run", EXPERIMENT, "--trials", "0"], vec!["trials"]),
+        (vec!["run", EXPERIMENT, "--seeds", "9..3"], vec!["seeds"]),
+        (vec!["run", EXPERIMENT, "--config", broken], vec!["line 1"]),
+        (vec!["run", EXPERIMENT, "--config", "no-such-file.toml"], vec!["no-such-file.toml"]),
+        (vec!["serve", "--listen", "nowhere"], vec!["listen"]),
+        (vec!["serve", "--listen", "127.0.0.1:0", "--data", "/proc/sonarium"], vec!["data"]),
+    ] {
+        let run = sonarium(&arguments);
+        assert_eq!(run.code, Some(2), "{arguments:?}: {}", run.stderr);
+        for word in words {
+            assert!(run.stderr.contains(word), "{arguments:?} does not say {word}: {}", run.stderr);
+        }
+    }
+}
+
+#[test]
+fn experiments_names_every_setting_with_default_unit_and_source() {
+    let run = sonarium(&["experiments", "--json"]);
+    let experiments: Value = serde_json::from_str(&run.stdout).expect("JSON");
+    let settings = experiments[0]["settings"].as_array().expect("settings");
+    assert!(settings.len() > 40, "{}", settings.len());
+    for setting in settings {
+        for field in ["key", "meaning", "default", "source", "standing", "unit"] {
+            assert!(!setting[field].is_null(), "{setting}");
+        }
+    }
+    let names = sonarium(&["experiments"]).stdout;
+    assert!(names.contains(EXPERIMENT), "{names}");
+}
+
+#[test]
+fn a_session_is_created_driven_and_downloaded() {
+    let server = Server::start();
+    let id =
+        server.create(&json!({"experiment": EXPERIMENT, "seed": 1, "trials": 3, "speed": "max"}));
+    let path = format!("sessions/{id}");
+    let (status, ack) = server.post(&format!("{path}/step"), &Value::Null);
+    assert_eq!((status, &ack["state"], &ack["tick"]), (200, &json!("paused"), &json!(1)));
+    let (status, ack) = server.post(&format!("{path}/resume"), &Value::Null);
+    assert_eq!(status, 200, "{ack}");
+    let session = server.wait(&id, "finished", |session| session["state"] == "finished");
+    assert_eq!(session["trials_done"], 3);
+    for (file, kind, start) in [
+        ("report.html", "text/html", &b"<!DOCTYPE html>"[..]),
+        ("report.json", "application/json", b"{"),
+        ("report.csv", "text/csv", b"trial"),
+        ("report.zip", "application/zip", b"PK"),
+        ("log.mcap", "application/octet-stream", b"\x89MCAP"),
+        ("arena.png?width=333&height=222", "image/png", b"\x89PNG"),
+        ("trials/2/report.html", "text/html", b"<!DOCTYPE html>"),
+        ("trials/2/report.json", "application/json", b"{"),
+        ("trials/2/report.csv", "text/csv", b"tick"),
+        ("trials/2/report.png", "image/png", b"\x89PNG"),
+    ] {
+        let (status, found, body) = server.download(&format!("/api/v1/{path}/{file}"));
+        assert_eq!(status, 200, "{file}");
+        assert!(found.starts_with(kind), "{file} is {found}");
+        assert!(body.starts_with(start), "{file} starts {:?}", &body[..body.len().min(20)]);
+    }
+    assert_eq!(server.delete(&path), 204);
+    assert_eq!(server.get(&path).0, 404);
+}
+
+#[test]
+fn bad_requests_get_problem_details_and_the_server_goes_on() {
+    let server = Server::start();
+    let id = server.create(&json!({"experiment": EXPERIMENT, "seed": 1, "trials": 2}));
+    let big = format!("{{\"experiment\":\"{}\"}}", "x".repeat(1 << 20));
+    let session = |change: Value| {
+        let mut body = json!({"experiment": EXPERIMENT});
+        for (key, value) in change.as_object().expect("an object") {
+            body[key] = value.clone();
+        }
+        body.to_string()
+    };
+    for (path, body, status, field) in [
+        ("sessions".into(), session(json!({"experiment": "x"})), 422, "experiment"),
+        (
+            "sessions".into(),
+            session(json!({"settings": {"sonar.noise": 7}})),
+            422,
+            "settings.sonar.noise",
+        ),
+        (
+            "sessions".into(),
+            session(json!({"settings": {"sonar.nois": 0}})),
+            422,
+            "settings.sonar.nois",
+        ),
+        ("sessions".into(), session(json!({"settings": {"world": "x"}})), 422, "settings.world"),
+        ("sessions".into(), session(json!({"settings": {"preset": "x"}})), 422, "settings.preset"),
+        ("sessions".into(), session(json!({"trials": 0})), 422, "trials"),
+        ("sessions".into(), session(json!({"speed": -1})), 422, "speed"),
+        ("sessions".into(), "{".into(), 400, ""),
+        ("sessions".into(), big, 413, ""),
+        ("sessions/nobody/start".into(), String::new(), 404, ""),
+        (format!("sessions/{id}/stop"), String::new(), 409, ""),
+        (format!("sessions/{id}/pause"), String::new(), 409, ""),
+    ] {
+        let (found, problem) = server.post_text(&path, &body);
+        assert_eq!(found, status, "{path} {problem}");
+        assert_eq!(problem["status"], status, "{problem}");
+        assert!(problem["title"].is_string() && problem["detail"].is_string(), "{problem}");
+        if !field.is_empty() {
+            assert_eq!(problem["field"], field, "{problem}");
+        }
+    }
+    assert_eq!(server.post(&format!("sessions/{id}/start"), &Value::Null).0, 200);
+    assert_eq!(server.post(&format!("sessions/{id}/start"), &Value::Null).0, 409, "a second start");
+    for (path, status) in [
+        ("sessions/nobody", 404),
+        ("nothing/here", 404),
+        (&format!("sessions/{id}/arena.png?width=0"), 422),
+        (&format!("sessions/{id}/arena.png?width=5000"), 422),
+        (&format!("sessions/{id}/trials/99"), 404),
+        (&format!("sessions/{id}/report.parquet"), 404),
+    ] {
+        let (found, problem) = server.get(path);
+        assert_eq!((found, &problem["status"]), (status, &json!(status)), "{path} {problem}");
+    }
+    assert_eq!(server.get("experiments").0, 200, "the server goes on");
+}
+
+#[test]
+fn every_route_of_the_contract_is_in_the_openapi_document() {
+    let server = Server::start();
+    let (status, _, body) = server.download("/api/openapi.json");
+    assert_eq!(status, 200);
+    let document: Value = serde_json::from_slice(&body).expect("JSON");
+    for path in [
+        "/api/v1/experiments",
+        "/api/v1/sessions",
+        "/api/v1/sessions/{id}",
+        "/api/v1/sessions/{id}/start",
+        "/api/v1/sessions/{id}/ticks",
+        "/api/v1/sessions/{id}/report.{format}",
+        "/api/v1/sessions/{id}/trials/{n}/report.{format}",
+        "/api/v1/sessions/{id}/arena.png",
+        "/api/v1/sessions/{id}/stream",
+    ] {
+        assert!(!document["paths"][path].is_null(), "{path} is missing");
+    }
+    assert_eq!(server.download("/healthz").0, 200);
+    assert!(String::from_utf8_lossy(&server.download("/metrics").2).contains("# TYPE"));
+}
+
+#[test]
+fn the_readme_names_what_ci_runs() {
+    let readme = std::fs::read_to_string(root().join("README.md")).expect("a README");
+    let ci = std::fs::read_to_string(root().join(".ci/run")).expect("a CI script");
+    assert!(ci.contains("cargo test") && readme.contains("cargo test"));
+}
