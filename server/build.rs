@@ -41,17 +41,14 @@ fn main() -> ExitCode {
 /// Short hash of the commit, with `-dirty` when the sources differ from it; `unknown` without git.
 fn commit(repository: &Path) -> String {
     for source in PROGRAM_SOURCES {
-        println!("cargo::rerun-if-changed={}", repository.join(source).display());
+        watch(&repository.join(source));
     }
     let Some(hash) = git(repository, &["rev-parse", "--short=10", "HEAD"]) else {
         return "unknown".to_owned();
     };
     for name in ["HEAD", "logs/HEAD"] {
         if let Some(path) = git(repository, &["rev-parse", "--git-path", name]) {
-            let path = repository.join(path);
-            if path.exists() {
-                println!("cargo::rerun-if-changed={}", path.display());
-            }
+            watch(&repository.join(path));
         }
     }
     let mut status = vec!["status", "--porcelain", "--untracked-files=no", "--"];
@@ -59,6 +56,13 @@ fn commit(repository: &Path) -> String {
     match git(repository, &status) {
         Some(changes) if changes.is_empty() => hash,
         _ => format!("{hash}-dirty"),
+    }
+}
+
+/// Runs this again when the path changes; cargo would take a missing one for ever changed.
+fn watch(path: &Path) {
+    if path.exists() {
+        println!("cargo::rerun-if-changed={}", path.display());
     }
 }
 
@@ -75,7 +79,7 @@ fn site(web: &Path) -> Result<PathBuf, String> {
         return built_site(Path::new(&built));
     }
     for source in PAGE_SOURCES {
-        println!("cargo::rerun-if-changed={}", web.join(source).display());
+        watch(&web.join(source));
     }
     let out = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set; run cargo")?);
     let site = out.join("site");
@@ -89,7 +93,7 @@ fn site(web: &Path) -> Result<PathBuf, String> {
 }
 
 fn built_site(folder: &Path) -> Result<PathBuf, String> {
-    println!("cargo::rerun-if-changed={}", folder.display());
+    watch(folder);
     let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
     if folder.join("index.html").is_file() {
         Ok(folder)
