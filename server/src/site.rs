@@ -49,17 +49,11 @@ fn file(path: &str, caching: &'static str, request: &HeaderMap) -> Response {
     };
     let tag = entity_tag(&file);
     let known = request.get(header::IF_NONE_MATCH).is_some_and(|given| given.as_bytes() == tag);
-    let mut response = if known {
-        StatusCode::NOT_MODIFIED.into_response()
-    } else {
-        content(file)
-    };
+    let mut response = if known { StatusCode::NOT_MODIFIED.into_response() } else { content(file) };
     let headers = response.headers_mut();
     headers.insert(header::CACHE_CONTROL, HeaderValue::from_static(caching));
-    headers.insert(
-        header::CONTENT_SECURITY_POLICY,
-        HeaderValue::from_static(CONTENT_SECURITY_POLICY),
-    );
+    headers
+        .insert(header::CONTENT_SECURITY_POLICY, HeaderValue::from_static(CONTENT_SECURITY_POLICY));
     headers.insert(header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
     if let Ok(tag) = HeaderValue::from_bytes(&tag) {
         headers.insert(header::ETAG, tag);
@@ -89,7 +83,10 @@ mod tests {
     }
 
     fn asset_ending(end: &str) -> String {
-        Site::iter().find(|path| path.ends_with(end)).expect("the site has such a file").into_owned()
+        Site::iter()
+            .find(|path| path.ends_with(end))
+            .expect("the site has such a file")
+            .into_owned()
     }
 
     #[test]

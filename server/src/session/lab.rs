@@ -248,6 +248,12 @@ impl Lab {
         actor.is_some_and(|actor| actor.send(command).is_ok())
     }
 
+    /// Makes the actor of a session panic.
+    #[cfg(test)]
+    pub(super) fn panic(&self, id: &str) {
+        assert!(self.tell(id, Command::Panic), "the session has an actor");
+    }
+
     fn send(&self, id: &str, command: Command) -> Result<(), LabError> {
         let row = self.row(id)?;
         let mut desks = self.desks();

@@ -27,6 +27,9 @@ mod slots;
 mod state;
 mod view;
 
+#[cfg(test)]
+mod tests;
+
 pub use actor::ControlError;
 pub use arena::{Scenery, empty_arena, world_view};
 pub use feed::{Event, Feed, Missed, Snapshot, Viewer, text};
