@@ -48,6 +48,22 @@ fn segment_corner(shape: Shape, corner: vec2<f32>) -> vec2<f32> {
     return from_end + direction * mix(-reach, length + reach, corner.x) + normal * mix(-reach, reach, corner.y);
 }
 
+// The corner of a rectangle around a sector; a narrow one gets a narrow rectangle along its middle,
+// because sonar cones are long and many.
+fn sector_corner(shape: Shape, corner: vec2<f32>) -> vec2<f32> {
+    let half = 0.5 * shape.size;
+    let outer = shape.place.w;
+    if half > 1.57 {
+        return shape.place.xy + (corner * 2.0 - 1.0) * (outer + 1.0);
+    }
+    let turn = vec2<f32>(cos(half), sin(half));
+    let start = shape.sides.xy;
+    let axis = vec2<f32>(start.x * turn.x - start.y * turn.y, start.x * turn.y + start.y * turn.x);
+    let across = vec2<f32>(-axis.y, axis.x) * (outer * turn.y + 1.0);
+    let along = mix(shape.place.z * turn.x - 1.0, outer + 1.0, corner.x);
+    return shape.place.xy + axis * along + across * (corner.y * 2.0 - 1.0);
+}
+
 @vertex
 fn vertex(@builtin(vertex_index) index: u32, shape: Shape) -> Fragment {
     let corner = vec2<f32>(f32(index & 1u), f32(index >> 1u));
@@ -55,7 +71,7 @@ fn vertex(@builtin(vertex_index) index: u32, shape: Shape) -> Fragment {
     if shape.kind.x == SEGMENT {
         at = segment_corner(shape, corner);
     } else if shape.kind.x == SECTOR {
-        at = shape.place.xy + (corner * 2.0 - 1.0) * (shape.place.w + 1.0);
+        at = sector_corner(shape, corner);
     }
     let clip = at / sheet.size * vec2<f32>(2.0, -2.0) + vec2<f32>(-1.0, 1.0);
     return Fragment(

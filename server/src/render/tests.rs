@@ -98,7 +98,7 @@ fn both_back_ends_draw_alike() {
         let on_gpu = gpu.draw(scene).expect("drawn by the adapter");
         let found = difference(&cpu.draw(scene).expect("drawn by the CPU"), &on_gpu);
         let size = (scene.width, scene.height);
-        eprintln!("{size:?}: {found:?}");
+        eprintln!("{size:?} on {}: {found:?}", gpu.name());
         assert!(are_alike(&found), "{size:?} on {}: {found:?} is beyond {ALIKE:?}", gpu.name());
     }
     let (moved, still) = (gpu.draw(&every_primitive(2.0)), cpu.draw(&every_primitive(0.0)));
@@ -205,12 +205,30 @@ fn sizes_that_cannot_be_drawn_are_refused_by_name() {
     }
 }
 
+/// A maze of three metres with home and goal in its corners.
+fn maze() -> ArenaView {
+    let cell = |x: f64, y: f64| vec![[x, y], [x + 1.0, y], [x + 1.0, y + 1.0], [x, y + 1.0]];
+    ArenaView {
+        bounds_m: [0.0, 0.0, 3.0, 3.0],
+        walls_m: vec![[0.0, 0.0, 3.0, 0.0], [0.0, 1.0, 2.0, 1.0], [1.0, 2.0, 3.0, 2.0]],
+        blocks_m: vec![cell(1.0, 1.0)],
+        regions: vec![RegionView { name: "start".into(), polygons_m: vec![cell(0.0, 0.0)] }],
+        home: RobotPose { at_m: [0.0, 0.0], heading_rad: 1.0 },
+        goal_m: [3.0, 3.0],
+        goal_radius_m: 0.2,
+        path_m: vec![[0.0, 0.0], [2.5, 0.5], [2.5, 1.5], [0.5, 1.5], [0.5, 2.5], [3.0, 3.0]],
+        caption: "Episode 4 of 100".into(),
+        ..ArenaView::default()
+    }
+}
+
 #[test]
 fn every_text_stands_inside_the_picture() {
-    for (width, height) in
-        [(320, 213), (640, 400), (960, 640), (1000, 700), (700, 1400), (4096, 4096)]
+    let sizes = [(320, 213), (640, 400), (960, 640), (1000, 700), (700, 1400), (4096, 4096)];
+    for ((width, height), view) in
+        sizes.iter().flat_map(|&size| [(size, laboratory(500, 130)), (size, maze())])
     {
-        let scene = arena_scene(&laboratory(500, 130), width, height, ThemeName::Light);
+        let scene = arena_scene(&view, width, height, ThemeName::Light);
         for primitive in scene.primitives() {
             let Primitive::Text(text) = primitive else { continue };
             for [x, y] in text::outlines(text).into_iter().flatten().flatten() {
@@ -219,6 +237,26 @@ fn every_text_stands_inside_the_picture() {
                 assert!(inside, "{:?} reaches {x}, {y} at {width}×{height}", text.text);
             }
         }
+    }
+}
+
+#[test]
+fn what_is_not_there_is_not_named() {
+    let no_goal = ArenaView { goal_radius_m: 0.0, ..maze() };
+    let no_home = ArenaView {
+        home: RobotPose { at_m: [f64::NAN; 2], heading_rad: 0.0 },
+        regions: vec![],
+        path_m: vec![],
+        ..maze()
+    };
+    for (view, expected) in [
+        (maze(), ["goal", "home", "start", "Episode 4 of 100", "0.5 m", "this trial"].as_slice()),
+        (no_goal, &["home", "start", "Episode 4 of 100", "0.5 m", "this trial"]),
+        (no_home, &["goal", "Episode 4 of 100", "0.5 m"]),
+    ] {
+        let scene = arena_scene(&view, 960, 640, ThemeName::Light);
+        let found: Vec<String> = scene.primitives().iter().filter_map(text_of).collect();
+        assert_eq!(found, expected);
     }
 }
 
@@ -288,6 +326,10 @@ fn pictures_to_look_at() {
                     format!("render-{theme:?}-{backend}-{width}x{height}.png").to_lowercase();
                 std::fs::write(std::env::temp_dir().join(name), &picture).expect("written");
             }
+            let picture = renderer.picture_blocking(maze(), 700, 480, theme, Quality::Fast);
+            let name = format!("render-maze-{theme:?}-{backend}.png").to_lowercase();
+            std::fs::write(std::env::temp_dir().join(name), picture.expect("a picture"))
+                .expect("written");
         }
     }
 }

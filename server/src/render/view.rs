@@ -11,11 +11,11 @@ pub struct ArenaView {
     pub blocks_m: Vec<Vec<[f64; 2]>>,
     /// Regions: name and the part of the bounds it covers, as polygons.
     pub regions: Vec<RegionView>,
-    /// Start of every trial and its heading.
+    /// Start of every trial and its heading; not shown if its place is not finite.
     pub home: RobotPose,
     /// Centre of the goal.
     pub goal_m: [f64; 2],
-    /// Radius of the goal.
+    /// Radius of the goal; there is none if it is not positive.
     pub goal_radius_m: f64,
     /// Paths of earlier trials, oldest first.
     pub earlier_paths_m: Vec<Vec<[f64; 2]>>,

@@ -5,8 +5,8 @@ use std::io::{self, BufReader, ErrorKind, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::vec;
 
-use mcap::read::ChunkReader;
 use mcap::records::{Record, op};
+use mcap::sans_io::linear_reader::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{MAGIC, McapError, parse_record};
 
 use super::record::{LogHeader, LogRecord, RawMessage, TICK_NS, Topic};
@@ -14,6 +14,9 @@ use super::{StoreError, chunk::Contents};
 
 /// No chunk of ours comes near this; a greater number in a file is damage, not a size to reserve.
 const MOST_CHUNK_BYTES: u64 = 256 << 20;
+
+/// A record starts with its opcode and its length.
+const HEAD_BYTES: u64 = 1 + 8;
 
 /// Opens a whole log, finished or cut off. Memory stays at one chunk, however long the log is.
 pub fn read_log(path: &Path) -> Result<LogReader, StoreError> {
@@ -134,10 +137,9 @@ impl Blocks {
     pub(super) fn next_block(&mut self) -> Result<Option<Block>, StoreError> {
         while !self.ended {
             self.block_start = self.position;
-            let Some((opcode, body)) = self.next_raw()? else { break };
-            let messages = match opcode {
-                op::CHUNK | op::MESSAGE => self.messages_of(opcode, &body)?,
-                op::CHANNEL => self.check_channel(&body).map(|()| Vec::new())?,
+            let Some(record) = self.next_raw()? else { break };
+            let messages = match record[0] {
+                op::CHUNK | op::MESSAGE | op::CHANNEL => self.messages_of(&record)?,
                 op::DATA_END => {
                     self.ended = true;
                     break;
@@ -154,47 +156,45 @@ impl Blocks {
         Ok(None)
     }
 
-    /// The next record's opcode and bytes; none where the file was cut off.
-    fn next_raw(&mut self) -> Result<Option<(u8, Vec<u8>)>, StoreError> {
-        let Some((opcode, length)) = self.next_head()? else {
+    /// The bytes of the next record, opcode and length included; none where the file was cut off.
+    fn next_raw(&mut self) -> Result<Option<Vec<u8>>, StoreError> {
+        let Some((_, length)) = self.next_head()? else {
             (self.ended, self.cut_off) = (true, true);
             return Ok(None);
         };
-        let mut body = vec![0; length as usize];
-        self.file.read_exact(&mut body).map_err(|e| StoreError::file("read", &self.path, &e))?;
-        self.position += 9 + length;
-        Ok(Some((opcode, body)))
+        self.skip_to(self.position)?;
+        let mut record = vec![0; (HEAD_BYTES + length) as usize];
+        self.file.read_exact(&mut record).map_err(|e| StoreError::file("read", &self.path, &e))?;
+        self.position += HEAD_BYTES + length;
+        Ok(Some(record))
     }
 
     /// The next record's opcode and length, if all of it is there. The file stands after the head.
     fn next_head(&mut self) -> Result<Option<(u8, u64)>, StoreError> {
-        if self.size.saturating_sub(self.position) < 9 {
+        if self.size.saturating_sub(self.position) < HEAD_BYTES {
             return Ok(None);
         }
-        let mut head = [0; 9];
+        let mut head = [0; HEAD_BYTES as usize];
         self.file.read_exact(&mut head).map_err(|e| StoreError::file("read", &self.path, &e))?;
         let [opcode, length @ ..] = head;
         let length = u64::from_le_bytes(length);
-        Ok((length <= self.size - self.position - 9).then_some((opcode, length)))
+        Ok((length <= self.size - self.position - HEAD_BYTES).then_some((opcode, length)))
     }
 
     fn pass_message_indexes(&mut self) -> Result<(), StoreError> {
-        loop {
-            let head = self.next_head()?;
-            match head {
-                Some((op::MESSAGE_INDEX, length)) => self.skip_to(self.position + 9 + length)?,
-                _ => return self.skip_to(self.position),
-            }
+        while let Some((op::MESSAGE_INDEX, length)) = self.next_head()? {
+            self.skip_to(self.position + HEAD_BYTES + length)?;
         }
+        self.skip_to(self.position)
     }
 
-    fn messages_of(&self, opcode: u8, body: &[u8]) -> Result<Vec<RawMessage>, StoreError> {
-        messages_in(opcode, body).map_err(|e| self.damaged(&e.to_string()))
-    }
-
-    fn check_channel(&self, body: &[u8]) -> Result<(), StoreError> {
-        let record = parse_record(op::CHANNEL, body).map_err(|e| self.damaged(&e.to_string()))?;
-        check_ours(&record).map_err(|e| not_a_log(&self.path, e.to_string()))
+    fn messages_of(&self, record: &[u8]) -> Result<Vec<RawMessage>, StoreError> {
+        messages_in(record).map_err(|e| match e {
+            McapError::ConflictingChannels(topic) => {
+                not_a_log(&self.path, format!("it has a channel {topic}"))
+            }
+            e => self.damaged(&e.to_string()),
+        })
     }
 
     /// Whether the file ended before it was finished. Known once all blocks are read.
@@ -235,35 +235,51 @@ pub(super) fn read_extent(
     let mut bytes = vec![0; length as usize];
     file.seek(SeekFrom::Start(offset)).map_err(failed)?;
     file.read_exact(&mut bytes).map_err(failed)?;
-    let Some((opcode, body)) = first_record(&bytes) else {
-        return Err(damaged("no whole chunk where the index has one".into()));
-    };
-    messages_in(opcode, body).map_err(|e| damaged(e.to_string()))
+    messages_in(&bytes).map_err(|e| damaged(e.to_string()))
 }
 
-fn first_record(bytes: &[u8]) -> Option<(u8, &[u8])> {
-    let (&opcode, rest) = bytes.split_first()?;
-    let (length, rest) = rest.split_first_chunk()?;
-    let length = usize::try_from(u64::from_le_bytes(*length)).ok()?;
-    Some((opcode, rest.get(..length)?))
-}
-
-fn messages_in(opcode: u8, body: &[u8]) -> Result<Vec<RawMessage>, McapError> {
+/// The messages of a chunk, its indexes behind it or not, or of a message outside of all chunks.
+///
+/// The checksum is compared before anything inside a chunk is believed, and no length in the file
+/// reserves more than [`MOST_CHUNK_BYTES`].
+fn messages_in(mut record: &[u8]) -> Result<Vec<RawMessage>, McapError> {
+    if record.first() == Some(&op::CHUNK) {
+        demand_checksum(record)?;
+    }
+    let mut reader = LinearReader::new_with_options(
+        LinearReaderOptions::default()
+            .with_skip_start_magic(true)
+            .with_skip_end_magic(true)
+            .with_prevalidate_chunk_crcs(true)
+            .with_record_length_limit(MOST_CHUNK_BYTES as usize),
+    );
     let mut messages = Vec::new();
-    match parse_record(opcode, body)? {
-        Record::Chunk { header, data } => {
-            if header.uncompressed_size > MOST_CHUNK_BYTES {
-                return Err(McapError::ChunkBufferTooLarge(header.uncompressed_size));
+    while let Some(event) = reader.next_event() {
+        match event? {
+            LinearReadEvent::ReadRequest(wanted) => {
+                let part = record.split_off(..wanted.min(record.len())).unwrap_or_default();
+                reader.insert(part.len()).copy_from_slice(part);
+                reader.notify_read(part.len());
             }
-            for record in ChunkReader::new(header, &data)? {
-                let record = record?;
-                check_ours(&record)?;
-                messages.extend(message(record));
+            LinearReadEvent::Record { data, opcode } => {
+                let inner = parse_record(opcode, data)?;
+                check_ours(&inner)?;
+                messages.extend(message(inner));
             }
         }
-        record => messages.extend(message(record)),
     }
     Ok(messages)
+}
+
+/// MCAP allows a chunk without a checksum; this program writes none.
+fn demand_checksum(chunk: &[u8]) -> Result<(), McapError> {
+    let body = chunk.get(HEAD_BYTES as usize..).ok_or(McapError::UnexpectedEof)?;
+    match parse_record(op::CHUNK, body)? {
+        Record::Chunk { header, .. } if header.uncompressed_crc == 0 => {
+            Err(McapError::BadChunkCrc { saved: 0, calculated: 0 })
+        }
+        _ => Ok(()),
+    }
 }
 
 fn message(record: Record<'_>) -> Option<RawMessage> {

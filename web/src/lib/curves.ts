@@ -86,8 +86,8 @@ function best(kind: CurveKind, shown: Shown[], say: (point: Shown) => string): s
 }
 
 function cappedWords(capped: number[]): string {
-  const named = capped.slice(0, 8).join(', ') + (capped.length > 8 ? ', …' : '');
+  const named = capped.slice(0, 8).join(', ') + (capped.length > 8 ? ', …' : '.');
   return capped.length === 1
-    ? `Trial ${named} was capped before the goal (✕).`
-    : `${capped.length} trials were capped before the goal (✕): ${named}.`;
+    ? `Trial ${capped[0]} was capped before the goal (✕).`
+    : `${capped.length} trials were capped before the goal (✕): ${named}`;
 }

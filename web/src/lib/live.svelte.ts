@@ -43,8 +43,10 @@ export class LiveSession {
   #arena: ArenaRequest | null = null;
   #onpicture: (picture: Blob) => void = () => {};
 
-  constructor(id: string) {
+  /** `known` is shown until the stream tells more. */
+  constructor(id: string, known: Session | null = null) {
     this.id = id;
+    this.session = known?.id === id ? known : null;
   }
 
   /** Connects, and keeps connecting until [`close`](LiveSession.close). */

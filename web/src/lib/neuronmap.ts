@@ -138,23 +138,15 @@ function drawNeuron(
   const [x, y] = [frame.x(neuron.birth.pose.x_m), frame.y(neuron.birth.pose.y_m)];
   const heading = (neuron.heading_deg * Math.PI) / 180;
   const pending = neuron.utility === null || range === null;
-  const fill = pending ? ink.surface : colour(share(neuron.utility ?? 0, ...range), theme);
-  context.strokeStyle = pending ? ink.muted : fill;
-  context.lineWidth = 1.5;
+  const inCharge = neuron.id === map.winner;
+  context.strokeStyle = inCharge ? ink.text : ink.strong;
+  context.lineWidth = inCharge ? 2.5 : 1;
   context.beginPath();
   context.moveTo(x, y);
   arrow(context, x, y, heading);
   context.stroke();
-  context.fillStyle = fill;
-  context.lineWidth = neuron.id === map.winner ? 2.5 : 1;
-  context.strokeStyle = neuron.id === map.winner ? ink.text : pending ? ink.muted : ink.surface;
-  outline(
-    context,
-    shapeOf(map.world, neuron.region),
-    x,
-    y,
-    neuron.id === map.winner ? SIZE + 2 : SIZE,
-  );
+  context.fillStyle = pending ? ink.surface : colour(share(neuron.utility ?? 0, ...range), theme);
+  outline(context, shapeOf(map.world, neuron.region), x, y, inCharge ? SIZE + 2 : SIZE);
   context.fill();
   context.stroke();
 }

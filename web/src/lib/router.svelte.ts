@@ -1,5 +1,7 @@
 /** Which page the address asks for. */
 
+import type { Session } from './protocol';
+
 /** A page. */
 export type Route = { page: 'home' } | { page: 'session'; id: string } | { page: 'unknown' };
 
@@ -11,15 +13,21 @@ export function routeOf(path: string): Route {
 }
 
 class Router {
+  /** The session of the page just gone to, when it was known before. */
+  known: Session | null = null;
   route = $state.raw<Route>(routeOf(location.pathname));
 
   constructor() {
-    addEventListener('popstate', () => this.#follow());
+    addEventListener('popstate', () => {
+      this.known = null;
+      this.#follow();
+    });
   }
 
-  /** Goes to a page of this site. */
-  go(path: string): void {
+  /** Goes to a page of this site, with what is already known of the session there. */
+  go(path: string, known: Session | null = null): void {
     history.pushState(null, '', path);
+    this.known = known;
     this.#follow();
     scrollTo(0, 0);
   }

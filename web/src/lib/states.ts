@@ -1,7 +1,7 @@
 /** Session states and controls in words. */
 
 import type { Control } from './api';
-import type { Session, State } from './protocol';
+import type { Ack, Session, State, StepUnit } from './protocol';
 
 /** Kind of a state: decides its colour; icon and word always stand beside it. */
 export type Tone = 'quiet' | 'busy' | 'good' | 'warn' | 'bad';
@@ -19,15 +19,22 @@ export const STATES: Record<State, { word: string; tone: Tone; meaning: string }
   interrupted: { word: 'Interrupted', tone: 'bad', meaning: 'The server ended while it ran' },
 };
 
-/** What an acknowledged control is reported as. */
-export const DONE: Record<Control, string> = {
-  start: 'Started',
-  pause: 'Paused',
-  resume: 'Resumed',
-  step: 'Stepped',
-  stop: 'Stopped',
-  reset: 'Reset',
+/** What each control leads to, and what it is called when it did. */
+const DONE: Record<Control, { state: State; word: string }> = {
+  start: { state: 'running', word: 'Started' },
+  pause: { state: 'paused', word: 'Paused' },
+  resume: { state: 'running', word: 'Resumed' },
+  step: { state: 'paused', word: 'Stepped' },
+  stop: { state: 'stopped', word: 'Stopped' },
+  reset: { state: 'queued', word: 'Reset' },
 };
+
+/** What a control led to, e.g. "Paused at tick 132"; the state's name when it led elsewhere. */
+export function outcome(control: Control, unit: StepUnit | undefined, ack: Ack): string {
+  const { state, word } = DONE[control];
+  const far = unit === 'trial' ? `${word} to the end of the trial` : word;
+  return `${ack.state === state ? far : STATES[ack.state].word} at tick ${ack.tick}`;
+}
 
 /** The control that the space bar stands for now, if any. */
 export function mainControl(session: Session): Control | null {

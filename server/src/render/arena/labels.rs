@@ -7,7 +7,7 @@ use crate::render::text::{self, CAP_HEIGHT};
 impl Canvas<'_> {
     /// The names of the regions, of home and of the goal.
     pub(super) fn names(&self, scene: &mut Scene) {
-        if self.layout.is_thumbnail() {
+        if self.layout.is_thumbnail {
             return;
         }
         let mut taken = self.place_names(scene);
@@ -24,17 +24,16 @@ impl Canvas<'_> {
         taken.extend(self.at.places(&self.view.collisions_m));
         let gap = self.px(13.0);
         let goal_px = self.at.length(self.view.goal_radius_m).min(self.px(200.0));
-        for (name, at_m, below, colour) in [
-            ("goal", self.view.goal_m, goal_px + self.px(5.0), self.theme.goal),
-            ("home", self.view.home.at_m, gap, self.theme.ink),
+        for (name, place, below, colour) in [
+            ("goal", self.goal_place(), goal_px + self.px(5.0), self.theme.goal),
+            ("home", self.at.place(self.view.home.at_m), gap, self.theme.ink),
         ] {
-            let Some([x, y]) = self.at.place(at_m) else { continue };
+            let Some([x, y]) = place else { continue };
             let down = y + below + self.layout.font * CAP_HEIGHT;
-            let up = y - below;
-            let fits = down < self.at.frame()[3];
-            let baseline = if fits { down } else { up };
-            self.label(scene, name, [x, baseline], Anchor::Middle, colour);
-            taken.extend(self.box_points(name, [x, baseline]));
+            let baseline = if down < self.at.frame()[3] { down } else { y - below };
+            let at = self.inside(name, [x, baseline]);
+            self.label(scene, name, at, colour);
+            taken.extend(self.box_points(name, at));
         }
         taken.extend(self.view.robot.iter().filter_map(|robot| self.at.place(robot.pose.at_m)));
         taken
@@ -58,17 +57,24 @@ impl Canvas<'_> {
         ];
         let place = clear_place(polygon, half, taken).or_else(|| middle(polygon));
         let Some([x, y]) = place else { return };
-        let baseline = y + self.layout.font * CAP_HEIGHT / 2.0;
-        self.label(scene, &name, [x, baseline], Anchor::Middle, self.theme.faint_ink);
-        taken.extend(self.box_points(&name, [x, baseline]));
+        let at = self.inside(&name, [x, y + self.layout.font * CAP_HEIGHT / 2.0]);
+        self.label(scene, &name, at, self.theme.faint_ink);
+        taken.extend(self.box_points(&name, at));
     }
 
-    fn label(&self, scene: &mut Scene, name: &str, at: Point, anchor: Anchor, colour: Colour) {
+    /// Moves a label's middle so far that all of it stands in the arena.
+    fn inside(&self, name: &str, [x, y]: Point) -> Point {
+        let half = text::width_px(name, self.layout.font) / 2.0;
+        let [left, _, right, _] = self.at.frame();
+        [x.min(right - half).max(left + half), y]
+    }
+
+    fn label(&self, scene: &mut Scene, name: &str, at: Point, colour: Colour) {
         scene.push(Primitive::Text(Text {
             at,
             text: name.to_owned(),
             size: self.layout.font,
-            anchor,
+            anchor: Anchor::Middle,
             colour,
             halo: Some((self.theme.background, self.px(2.2))),
         }));

@@ -14,6 +14,8 @@ pub(super) struct Layout {
     pub(super) zoom: f32,
     /// Font size.
     pub(super) font: f32,
+    /// The picture is too small for names, step dots and a legend.
+    pub(super) is_thumbnail: bool,
     /// Free rim at the edges of the picture.
     pub(super) pad: f32,
     /// Shown beyond the bounds on every side.
@@ -47,7 +49,7 @@ impl Layout {
     pub(super) fn plan(view: &ArenaView, entries: &[Entry], width: u32, height: u32) -> Self {
         let bounds_m = usable_bounds(view);
         let sheet = Sheet::new(view, width, height);
-        if width < THUMBNAIL_PX || height < THUMBNAIL_PX || entries.is_empty() {
+        if sheet.is_thumbnail || entries.is_empty() {
             return sheet.without_legend(bounds_m);
         }
         let (beside, below) =
@@ -58,11 +60,6 @@ impl Layout {
     /// Height of a line of the legend.
     pub(super) fn line_px(&self) -> f32 {
         self.font * LINE
-    }
-
-    /// Whether the picture is too small for names and legend.
-    pub(super) fn is_thumbnail(&self) -> bool {
-        self.legend.is_none()
     }
 }
 
@@ -76,6 +73,7 @@ pub(super) const SYMBOL: f32 = 2.6;
 struct Sheet {
     width: f32,
     height: f32,
+    is_thumbnail: bool,
     zoom: f32,
     font: f32,
     pad: f32,
@@ -85,6 +83,7 @@ struct Sheet {
 
 impl Sheet {
     fn new(view: &ArenaView, width: u32, height: u32) -> Self {
+        let is_thumbnail = width < THUMBNAIL_PX || height < THUMBNAIL_PX;
         let (width, height) = (width as f32, height as f32);
         let size = (width / 960.0).min(height / 640.0);
         // Marks shrink slower than the picture, or a thumbnail would show only specks.
@@ -92,7 +91,7 @@ impl Sheet {
         let font = (13.5 * zoom).max(9.5);
         let pad = (14.0 * zoom).min(0.1 * width.min(height));
         let top = if view.caption.is_empty() { pad } else { pad + font * 1.15 + 0.6 * pad };
-        Self { width, height, zoom, font, pad, top }
+        Self { width, height, is_thumbnail, zoom, font, pad, top }
     }
 
     /// Height of the scale bar with its number.
@@ -114,7 +113,18 @@ impl Sheet {
         let (zoom, font, pad, rim_px) = (self.zoom, self.font, self.pad, self.rim_px());
         let [left, top, ..] = projection.frame();
         let caption = [left.max(pad), top - rim_px - 0.6 * pad];
-        Layout { zoom, font, pad, rim_px, projection, caption, scale_bar, legend: None }
+        let is_thumbnail = self.is_thumbnail;
+        Layout {
+            zoom,
+            font,
+            is_thumbnail,
+            pad,
+            rim_px,
+            projection,
+            caption,
+            scale_bar,
+            legend: None,
+        }
     }
 
     fn without_legend(&self, bounds_m: [f64; 4]) -> Layout {

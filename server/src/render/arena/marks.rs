@@ -7,11 +7,17 @@ use std::f32::consts::{FRAC_PI_2, TAU};
 
 impl Canvas<'_> {
     pub(super) fn goal(&self, scene: &mut Scene) {
-        let Some(centre) = self.at.place(self.view.goal_m) else { return };
+        let Some(centre) = self.goal_place() else { return };
         let radius = self.at.length(self.view.goal_radius_m);
         scene.disc(centre, radius, self.theme.goal.fade(0.16));
         scene.ring(centre, radius, self.px(1.8).max(1.0), self.theme.goal);
         scene.disc(centre, self.px(2.6).max(1.2).min(radius), self.theme.goal);
+    }
+
+    /// The goal's centre, if there is a goal.
+    pub(super) fn goal_place(&self) -> Option<Point> {
+        let exists = self.view.goal_radius_m > 0.0;
+        self.at.place(self.view.goal_m).filter(|_| exists)
     }
 
     /// A square ring with a tick towards the heading every trial begins with.

@@ -88,7 +88,9 @@ impl Canvas<'_> {
     fn mat(&self, scene: &mut Scene) {
         let rim = self.layout.rim_px;
         let [left, top, right, bottom] = self.at.frame();
-        let (left, top, right, bottom) = (left - rim, top - rim, right + rim, bottom + rim);
+        // Whole pixels, or what the mat hides would shine through the seams of its strips.
+        let (left, top) = ((left - rim).round(), (top - rim).round());
+        let (right, bottom) = ((right + rim).round(), (bottom + rim).round());
         let (width, height) = (scene.width as f32, scene.height as f32);
         for strip in [
             [0.0, 0.0, width, top],

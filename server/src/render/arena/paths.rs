@@ -52,7 +52,7 @@ impl Canvas<'_> {
         }
         let (width, colour) = (self.px(2.6).max(1.3), self.theme.path);
         rimmed_stroke(scene, points, width, colour, self.theme.background.fade(0.7));
-        if self.layout.is_thumbnail() {
+        if self.layout.is_thumbnail {
             return;
         }
         for dot in spaced(&self.at.places(&self.view.path_m), self.px(LEAST_DOT_GAP)) {
