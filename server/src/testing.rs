@@ -20,7 +20,7 @@ use crate::stream::Frames;
 use crate::wire::{Ack, NamedSpeed, NewSession, Session, Speed, State, Trial};
 
 /// Longer than anything here takes; only a test that would hang for ever ends by it.
-const PATIENCE: Duration = Duration::from_secs(120);
+pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A laboratory with two places.
 pub(crate) struct House {

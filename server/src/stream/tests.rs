@@ -5,12 +5,13 @@ use std::net::SocketAddr;
 use futures_util::{SinkExt, StreamExt};
 use serde_json::{Value as Json, json};
 use tokio::net::TcpStream;
+use tokio::time::timeout;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 use tokio_tungstenite::tungstenite::{Error, Message};
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
 
 use crate::session::Control;
-use crate::testing::{House, MAX, SLOW, undisturbed};
+use crate::testing::{House, MAX, PATIENCE, SLOW, undisturbed};
 use crate::wire::{Speed, State, StepUnit};
 
 /// A connected client.
@@ -28,7 +29,8 @@ impl Client {
 
     async fn hear(&mut self) -> Message {
         loop {
-            match self.0.next().await.expect("the connection stays").expect("a good frame") {
+            let next = timeout(PATIENCE, self.0.next()).await.expect("a message in time");
+            match next.expect("the connection stays").expect("a good frame") {
                 Message::Ping(_) => {}
                 message => return message,
             }
