@@ -182,7 +182,7 @@ impl Feed {
 
     /// Says that the session's state, pace or progress changed.
     pub fn say_state(&self, session: &Session) {
-        self.lock().push(|seq| ServerMessage::State { seq, session: session.clone() });
+        self.lock().push(|seq| ServerMessage::State { seq, session: Box::new(session.clone()) });
         self.wake();
     }
 

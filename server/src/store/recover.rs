@@ -97,7 +97,7 @@ impl Store {
             Some(checkpoint) => {
                 format!("it can be resumed from its checkpoint at tick {}", checkpoint.tick)
             }
-            None => "there is no checkpoint yet, so it has to be reset".into(),
+            None => "there is no checkpoint yet, so a resume begins with its first trial".into(),
         };
         Ok(format!("The server ended while the session was in use; {way_on}"))
     }
