@@ -161,7 +161,8 @@ export class LiveSession {
         this.log = addLog(this.log, message.entries);
         break;
       case 'gap':
-        this.gap = `Events ${message.since + 1} to ${message.oldest - 1} were missed while the connection was lost; the whole history was loaded again`;
+        this.gap =
+          'Some events were missed while the connection was lost; the whole history was loaded again';
         break;
       case 'error':
         this.complaint = message.message;
