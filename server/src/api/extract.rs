@@ -31,7 +31,7 @@ impl<S: Send + Sync, T: DeserializeOwned + Default> FromRequest<S> for OptionalB
     async fn from_request(request: Request, state: &S) -> Result<Self, Failure> {
         let checked = check_content_type(&request);
         let bytes = Bytes::from_request(request, state).await.map_err(unreadable_body)?;
-        if bytes.is_empty() {
+        if bytes.is_empty() || bytes.as_ref() == b"null" {
             return Ok(Self(T::default()));
         }
         checked?;

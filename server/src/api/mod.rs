@@ -96,7 +96,6 @@ pub async fn serve(
 pub fn router(app: App, address: SocketAddr) -> Router {
     let (api, document) = openapi::routes().split_for_parts();
     let api = api
-        .route("/sessions/{id}/stream", get(stream::open))
         .fallback(no_such_route)
         .method_not_allowed_fallback(no_such_method);
     let not_packed_twice = DefaultPredicate::new()

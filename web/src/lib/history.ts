@@ -7,8 +7,9 @@ export const LOG_LINES = 500;
 
 /** Trials with new ones added; a trial told twice stands once, as told last. */
 export function addTrials(trials: Trial[], added: Trial[]): Trial[] {
-  const first = added[0];
+  const [first, last] = [added[0], trials.at(-1)];
   if (!first) return trials;
+  if (!last || last.trial < first.trial) return trials.concat(added);
   const kept = trials.filter((trial) => trial.trial < first.trial);
   return [...kept, ...added];
 }

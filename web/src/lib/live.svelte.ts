@@ -15,6 +15,7 @@ import type {
   Trial,
   WorldView,
 } from './protocol';
+import { Throttle } from './throttle';
 
 /** Samples a second that the page asks for. */
 const RATES = { tick: 15, depths: 30, neurons: 4 };
@@ -40,6 +41,9 @@ export class LiveSession {
   #socket: WebSocket | null = null;
   #timer: ReturnType<typeof setTimeout> | null = null;
   #seq: number | null = null;
+  #trials: Trial[] = [];
+  /** At full speed trials end faster than charts and tables need to follow. */
+  #shownTrials = new Throttle<Trial[]>(250, (trials) => (this.trials = trials));
   #arena: ArenaRequest | null = null;
   #onpicture: (picture: Blob) => void = () => {};
 
@@ -66,6 +70,7 @@ export class LiveSession {
   close(): void {
     this.#follow({ kind: 'closed' });
     if (this.#timer !== null) clearTimeout(this.#timer);
+    this.#shownTrials.stop();
     this.#socket?.close();
     this.#onpicture = () => {};
   }
@@ -128,7 +133,7 @@ export class LiveSession {
       case 'hello':
         this.session = message.session;
         this.world = message.world;
-        this.trials = message.trials;
+        this.#setTrials(message.trials);
         this.neurons = message.neurons;
         this.tick = message.tick;
         this.sonar_m = message.tick?.sonar_m ?? [];
@@ -147,7 +152,7 @@ export class LiveSession {
         this.neurons = message.neurons;
         break;
       case 'trial':
-        this.trials = addTrials(this.trials, message.trials);
+        this.#setTrials(addTrials(this.#trials, message.trials));
         break;
       case 'curve':
         // The trials carry the same points and more.
@@ -156,7 +161,8 @@ export class LiveSession {
         this.log = addLog(this.log, message.entries);
         break;
       case 'gap':
-        this.gap = `Events ${message.since + 1} to ${message.oldest - 1} were missed while the connection was lost; the whole history was loaded again`;
+        this.gap =
+          'Some events were missed while the connection was lost; the whole history was loaded again';
         break;
       case 'error':
         this.complaint = message.message;
@@ -166,11 +172,17 @@ export class LiveSession {
 
   #takeState(session: Session): void {
     this.session = session;
-    this.trials = trialsOf(session, this.trials);
+    this.#setTrials(trialsOf(session, this.#trials));
     if (session.tick > 0) return;
     this.tick = null;
     this.sonar_m = [];
     this.neurons = [];
+  }
+
+  #setTrials(trials: Trial[]): void {
+    if (trials === this.#trials) return;
+    this.#trials = trials;
+    this.#shownTrials.offer(trials);
   }
 
   #lost(): void {

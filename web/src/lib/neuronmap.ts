@@ -124,7 +124,8 @@ function drawWorld(
   context.fillText('home', frame.x(world.home.x_m), frame.y(world.home.y_m) + 8);
 }
 
-const SIZE = 5;
+/** Half a mark, pixels: smaller where there are many. */
+const sizeOf = (neurons: NeuronView[]) => (neurons.length > 50 ? 4 : 5);
 
 function drawNeuron(
   context: CanvasRenderingContext2D,
@@ -138,6 +139,7 @@ function drawNeuron(
   const [x, y] = [frame.x(neuron.birth.pose.x_m), frame.y(neuron.birth.pose.y_m)];
   const heading = (neuron.heading_deg * Math.PI) / 180;
   const pending = neuron.utility === null || range === null;
+  const size = sizeOf(map.neurons);
   const inCharge = neuron.id === map.winner;
   context.strokeStyle = inCharge ? ink.text : ink.strong;
   context.lineWidth = inCharge ? 2.5 : 1;
@@ -146,7 +148,7 @@ function drawNeuron(
   arrow(context, x, y, heading);
   context.stroke();
   context.fillStyle = pending ? ink.surface : colour(share(neuron.utility ?? 0, ...range), theme);
-  outline(context, shapeOf(map.world, neuron.region), x, y, inCharge ? SIZE + 2 : SIZE);
+  outline(context, shapeOf(map.world, neuron.region), x, y, inCharge ? size + 2 : size);
   context.fill();
   context.stroke();
 }
@@ -170,10 +172,10 @@ function arrow(context: CanvasRenderingContext2D, x: number, y: number, heading:
     x + length * Math.cos(heading + turn),
     y - length * Math.sin(heading + turn),
   ];
-  context.lineTo(...along(16, 0));
-  context.moveTo(...along(12, 0.3));
-  context.lineTo(...along(16, 0));
-  context.lineTo(...along(12, -0.3));
+  context.lineTo(...along(14, 0));
+  context.moveTo(...along(11, 0.25));
+  context.lineTo(...along(14, 0));
+  context.lineTo(...along(11, -0.25));
 }
 
 const CORNERS: Partial<Record<Shape, [number, number]>> = {
