@@ -109,25 +109,25 @@ async fn samples_and_pictures_come_as_subscribed() {
     assert_eq!(kind(&client.event().await), "hello");
     let picture = json!({ "rate": 30, "width": 200, "height": 100, "theme": "dark" });
     client.say(json!({ "type": "subscribe", "depths": 0, "arena": picture }).to_string()).await;
-    house.control(&id, Control::Step(StepUnit::Tick)).await;
-    let (mut tick, mut png) = (None, None);
-    while tick.is_none() || png.is_none() {
-        match client.hear().await {
-            Message::Binary(bytes) => png = Some(bytes),
-            Message::Text(text) => {
-                let message: Json = serde_json::from_str(&text).expect("JSON");
-                assert_ne!(kind(&message), "depths", "it was not wanted");
-                if kind(&message) == "tick" {
-                    tick = Some(message);
-                }
-            }
-            _ => {}
+    // The picture shows that the subscription has been read.
+    let png = loop {
+        if let Message::Binary(png) = client.hear().await {
+            break png;
         }
-    }
-    assert_eq!(tick.expect("a tick")["tick"]["tick"], 1);
-    let png = png.expect("a picture");
+    };
     assert_eq!(&png[1..4], b"PNG");
     assert_eq!(png[16..24], [0, 0, 0, 200, 0, 0, 0, 100], "width and height");
+    house.control(&id, Control::Step(StepUnit::Tick)).await;
+    let mut samples = Vec::new();
+    while samples.last().is_none_or(|last| last != "neurons") {
+        if let Message::Text(text) = client.hear().await {
+            let message: Json = serde_json::from_str(&text).expect("JSON");
+            samples.push(kind(&message).to_owned());
+            assert!(kind(&message) != "tick" || message["tick"]["tick"] == 1);
+        }
+    }
+    samples.retain(|kind| matches!(kind.as_str(), "tick" | "depths" | "neurons"));
+    assert_eq!(samples, ["tick", "neurons"]);
 }
 
 #[tokio::test]

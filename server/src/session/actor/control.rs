@@ -131,7 +131,7 @@ impl Actor {
         self.tick = None;
         self.neurons = Arc::default();
         self.paths = Paths::default();
-        self.tell();
+        self.untold_trials.clear();
         self.feed.rewind(0);
         self.session.count([]);
         self.session.tick = 0;

@@ -10,7 +10,7 @@ use tokio::sync::oneshot;
 
 use crate::catalog::FieldError;
 use crate::clock;
-use crate::session::feed::{Feed, Snapshot};
+use crate::session::feed::{Feed, News, Snapshot};
 use crate::session::lab::Lab;
 use crate::session::pace::Pace;
 use crate::session::paths::Paths;
