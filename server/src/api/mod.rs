@@ -95,9 +95,7 @@ pub async fn serve(
 /// All routes. When the server listens to this machine only, foreign host names are refused.
 pub fn router(app: App, address: SocketAddr) -> Router {
     let (api, document) = openapi::routes().split_for_parts();
-    let api = api
-        .fallback(no_such_route)
-        .method_not_allowed_fallback(no_such_method);
+    let api = api.fallback(no_such_route).method_not_allowed_fallback(no_such_method);
     let not_packed_twice = DefaultPredicate::new()
         .and(NotForContentType::const_new("application/zip"))
         .and(NotForContentType::const_new("application/octet-stream"));
