@@ -1,5 +1,6 @@
 //! Who may talk to the server.
 
+use axum::body::to_bytes;
 use axum::extract::Request;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::middleware::Next;
@@ -26,11 +27,19 @@ pub(super) async fn local_host(request: Request, next: Next) -> Response {
     }
 }
 
-/// Refuses a body that says it is too large before it is sent.
+/// Largest refused body that is still read to its end, bytes.
+const LARGEST_HEARD: usize = 8 * LARGEST_BODY;
+
+/// Refuses a body that says it is too large. Most clients listen only after they have sent all, so a
+/// moderate one is heard out; a huge one is cut off.
 pub(super) async fn body_size(request: Request, next: Next) -> Response {
     let length = request.headers().get(header::CONTENT_LENGTH);
     let length = length.and_then(|value| value.to_str().ok()?.parse::<u64>().ok());
     if length.is_some_and(|length| length > LARGEST_BODY as u64) {
+        if length.is_some_and(|length| length <= LARGEST_HEARD as u64) {
+            // A client that goes away in between needs no answer.
+            let _ = to_bytes(request.into_body(), LARGEST_HEARD).await;
+        }
         return too_large().into_response();
     }
     next.run(request).await
