@@ -4,6 +4,25 @@
 //! explanation. Time and randomness are parameters; there is no clock, no file, no thread.
 //! Data flows one way: [`world`] → [`robot`] → [`fuzzy`] → [`control`] → [`learner`] → [`experiment`].
 //!
+//! ```
+//! use std::sync::Arc;
+//! use sonarium_core::experiment::{MinimumCostPath, Settings};
+//! use sonarium_core::world::{World, WorldFile};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let file: WorldFile = toml::from_str(include_str!("../../assets/worlds/laboratory.toml"))?;
+//! let settings = Settings::default();
+//! let world = Arc::new(World::new(&file, settings.robot().radius_m)?);
+//! let mut run = MinimumCostPath::new(world, &settings, 1)?;
+//! while run.trials_done() < 20 {
+//!     if let (_, Some(end)) = run.step() {
+//!         assert!(end.record.steps > 0);
+//!     }
+//! }
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! Equation and section numbers are those of the thesis "Towards Real Learning Robots" (1999).
 
 pub mod control;
