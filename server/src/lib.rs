@@ -11,6 +11,8 @@ pub mod session;
 pub mod site;
 pub mod store;
 pub mod stream;
+#[cfg(test)]
+mod testing;
 pub mod wire;
 
 /// Program version and commit.

@@ -14,24 +14,24 @@ use crate::robot::B21Settings;
 crate::settings! {
     /// Settings of the experiment `minimum-cost-path`.
     pub struct Settings {
-        sonar_noise: f64 = 0.01, "sonar.noise" [0.0, 0.5] "1", Simulation, "section 5.11, reading", "Standard deviation of a sonar reading as a share of it";
+        sonar_noise: f64 = 0.01, "sonar.noise" [0.0, 0.5] "", Simulation, "section 5.11, reading", "Standard deviation of a sonar reading as a share of it";
         sonar_cone_deg: f64 = 15.0, "sonar.cone" [1.0, 60.0] "deg", Simulation, "section 5.3, reading", "Full angle of a sonar cone";
         sonar_rays: u32 = 5, "sonar.rays" [1.0, 31.0] "", Simulation, "reading", "Rays per cone; the reading is the least of them";
         sonar_range_m: f64 = 8.0, "sonar.range" [0.5, 50.0] "m", Simulation, "reading", "Greatest sonar reading";
         sonar_critical_deg: f64 = 90.0, "sonar.critical_angle" [10.0, 90.0] "deg", Simulation, "chapter 2, reading", "Incidence beyond which a ray returns no echo (specular loss); 90 loses none";
-        sonar_dropout: f64 = 0.0, "sonar.dropout" [0.0, 1.0] "1", Simulation, "chapter 2, reading", "Probability that a sonar misses its echo and reads its range";
+        sonar_dropout: f64 = 0.0, "sonar.dropout" [0.0, 1.0] "", Simulation, "chapter 2, reading", "Probability that a sonar misses its echo and reads its range";
         infrared_range_m: f64 = 0.5, "infrared.range" [0.1, 2.0] "m", Literal, "section 5.5, note", "Distance beyond which the infrared sensors see nothing";
         infrared_threshold_pct: f64 = 70.0, "infrared.threshold" [1.0, 99.0] "%", Literal, "section 5.5", "Reflectance above which a virtual collision is reported";
-        infrared_reflectance: f64 = 0.875, "infrared.reflectance" [0.1, 1.0] "1", Gap, "section 5.5, note", "Reflectance of the walls; 0.875 puts the virtual collision at 0.10 m, 1 at 0.15 m";
-        odometry_drift: f64 = 0.0, "odometry.drift" [0.0, 0.2] "1", Simulation, "section 5.5", "Odometry error as a share of each rotation and advance";
+        infrared_reflectance: f64 = 0.875, "infrared.reflectance" [0.1, 1.0] "", Gap, "section 5.5, note", "Reflectance of the walls; 0.875 puts the virtual collision at 0.10 m, 1 at 0.15 m";
+        odometry_drift: f64 = 0.0, "odometry.drift" [0.0, 0.2] "", Simulation, "section 5.5", "Odometry error as a share of each rotation and advance";
         advance_m: f64 = 0.2, "motion.advance" [0.05, 1.0] "m", Literal, "section 5.4", "Way advanced after each rotation";
         clear_to_m: f64 = 0.15, "motion.clear_to" [0.02, 0.5] "m", Gap, "section 5.5", "Clearance at which a rescue ends";
         back_min_m: f64 = 0.1, "motion.back_least" [0.0, 0.5] "m", Gap, "section 5.5", "Least way backed off in a rescue";
         step_cap: u32 = 200, "trial.step_cap" [1.0, 100_000.0] "", Simulation, "reading", "Steps after which a trial counts as failed";
-        collision_penalty: f64 = -3.0, "reward.collision" [-100.0, 0.0] "1", Literal, "Eq. (5.6)", "Reinforcement of a collision";
+        collision_penalty: f64 = -3.0, "reward.collision" [-100.0, 0.0] "", Literal, "Eq. (5.6)", "Reinforcement of a collision";
         close_m: f64 = 0.2, "reward.close_distance" [0.01, 2.0] "m", Gap, "Eq. (5.6), d_c", "Sonar reading below which being close is penalised; tuned in the laboratory";
-        avoid_desirability: f64 = 0.9, "reflex.avoid" [0.0, 1.0] "1", Literal, "Eq. (5.8), d_a", "Desirability of obstacle avoidance";
-        goal_desirability: f64 = 0.1, "reflex.goal" [0.0, 1.0] "1", Literal, "Eq. (5.8), d_g", "Desirability of goal following";
+        avoid_desirability: f64 = 0.9, "reflex.avoid" [0.0, 1.0] "", Literal, "Eq. (5.8), d_a", "Desirability of obstacle avoidance";
+        goal_desirability: f64 = 0.1, "reflex.goal" [0.0, 1.0] "", Literal, "Eq. (5.8), d_g", "Desirability of goal following";
         reflex_inference: Inference = Inference::ProductSum, "reflex.inference" "", Gap, "section 5.6", "How the fused activations become an area";
         reflex_idle_forward: bool = false, "reflex.idle_forward" "", Gap, "section 5.6", "Avoidance votes for forward when nothing is near; off: it is silent";
         front_near_m: f64 = 0.10, "reflex.front_near" [0.0, 2.0] "m", Gap, "section 5.6, tuned", "Reading ahead that is wholly near";
@@ -44,33 +44,33 @@ crate::settings! {
         sonar_frame: SonarFrame = SonarFrame::Robot, "input.sonar_frame" "", Literal, "section 5.6", "Frame in which the 24 sonars enter the input";
         learning: bool = true, "learner.learning" "", Literal, "Algorithm 9", "Learn; off: the bare reflex drives";
         partition: Partition = Partition::World, "learner.regions" "", Literal, "Algorithm 8", "Which networks there are";
-        novelty: f64 = 0.1, "learner.novelty" [0.001, 2.0] "1", Literal, "Eq. (5.9), ς", "Width of a receptive field: a farther situation is new";
+        novelty: f64 = 0.1, "learner.novelty" [0.001, 2.0] "", Literal, "Eq. (5.9), ς", "Width of a receptive field: a farther situation is new";
         novelty_metric: NoveltyMetric = NoveltyMetric::Distance, "learner.novelty_metric" "", Reading, "Eq. (5.10) against the text", "What is compared with the width";
         action_frame: ActionFrame = ActionFrame::Heading, "learner.action_frame" "", Reading, "R1; section 5.4", "Frame in which prototypical actions are stored";
         temperature_max_deg: f64 = 100.0, "learner.temperature_max" [0.0, 360.0] "deg", Literal, "Eq. (5.16), T_max", "Temperature of the first trial";
         temperature_min_deg: f64 = 10.0, "learner.temperature_min" [0.0, 360.0] "deg", Literal, "Eq. (5.17), T_min", "Temperature it cools to";
-        cooling: f64 = 0.8, "learner.cooling" [0.0, 1.0] "1", Literal, "Eq. (5.17), β", "Share of the temperature kept from trial to trial";
+        cooling: f64 = 0.8, "learner.cooling" [0.0, 1.0] "", Literal, "Eq. (5.17), β", "Share of the temperature kept from trial to trial";
         exploit_from: u32 = 16, "learner.exploit_from" [0.0, 100_000.0] "trial", Deviation, "D4; Eq. (5.17)", "Trial from which the temperature is 0 and the best path is replayed; 0: never; tuned in the laboratory";
-        sigma_scale: f64 = 0.05, "learner.sigma_scale" [0.0, 1.0] "1", Deviation, "D1; Eq. (5.14)", "Share of σ that is used; 1 is literal";
+        sigma_scale: f64 = 0.05, "learner.sigma_scale" [0.0, 1.0] "", Deviation, "D1; Eq. (5.14)", "Share of σ that is used; 1 is literal";
         deviation: Deviation = Deviation::Half, "learner.sigma_reading" "", Reading, "Eq. (5.12)", "Standard deviation of the draw for a given σ";
         first_action: FirstAction = FirstAction::Inherit, "learner.new_neuron" "", Deviation, "D2; section 5.7", "Where the first action of a new neuron comes from";
         inherit_radius: f64 = 5.0, "learner.inherit_radius" [0.0, 100.0] "ς", Deviation, "D2, tuned", "Greatest distance of the neuron copied from, in receptive fields";
         forget_unrecorded: bool = true, "learner.forget_unrecorded" "", Deviation, "D3; section 5.9", "Delete the neurons born in a trial that set no record";
         after_rescue: AfterRescue = AfterRescue::Reflex, "learner.after_rescue" "", Addition, "D5; Algorithm 9", "Who chooses the step after a collision";
-        discount: f64 = 0.7, "learner.discount" [0.0, 1.0] "1", Literal, "Eq. (5.18), γ", "Discounting factor";
+        discount: f64 = 0.7, "learner.discount" [0.0, 1.0] "", Literal, "Eq. (5.18), γ", "Discounting factor";
         temporal_difference: bool = true, "learner.temporal_difference" "", Literal, "Eq. (5.20), (5.25)", "Adapt utilities and centres by the TD error";
-        utility_reward_rate: f64 = 0.5, "learner.utility_reward_rate" [0.0, 1.0] "1", Literal, "Eq. (5.20), η_r", "Learning rate of a utility when δ > 0";
-        utility_penalty_rate: f64 = 0.05, "learner.utility_penalty_rate" [0.0, 1.0] "1", Literal, "Eq. (5.20), η_p", "Learning rate of a utility when δ < 0";
+        utility_reward_rate: f64 = 0.5, "learner.utility_reward_rate" [0.0, 1.0] "", Literal, "Eq. (5.20), η_r", "Learning rate of a utility when δ > 0";
+        utility_penalty_rate: f64 = 0.05, "learner.utility_penalty_rate" [0.0, 1.0] "", Literal, "Eq. (5.20), η_p", "Learning rate of a utility when δ < 0";
         mean_update: MeanUpdate = MeanUpdate::Band, "learner.mean_update" "", Addition, "A1; Eq. (5.21)-(5.24)", "How the mean of the exploration is set";
-        mean_reward_rate: f64 = 0.2, "learner.mean_reward_rate" [0.0, 10.0] "1", Literal, "Eq. (5.24), β_r", "Learning rate of a mean when δ > 0";
-        mean_penalty_rate: f64 = 0.02, "learner.mean_penalty_rate" [0.0, 10.0] "1", Literal, "Eq. (5.24), β_p", "Learning rate of a mean when δ < 0";
-        centre_reward_rate: f64 = 0.01, "learner.centre_reward_rate" [0.0, 1.0] "1", Literal, "Eq. (5.25), ε_r", "Learning rate of a centre when δ > 0";
-        centre_penalty_rate: f64 = 0.001, "learner.centre_penalty_rate" [0.0, 1.0] "1", Literal, "Eq. (5.25), ε_p", "Learning rate of a centre when δ < 0";
-        split_threshold: f64 = 50.0, "learner.split_threshold" [0.0, 1000.0] "1", Literal, "section 5.9, Δ", "TD error above which the past situation gets its own neuron";
+        mean_reward_rate: f64 = 0.2, "learner.mean_reward_rate" [0.0, 10.0] "", Literal, "Eq. (5.24), β_r", "Learning rate of a mean when δ > 0";
+        mean_penalty_rate: f64 = 0.02, "learner.mean_penalty_rate" [0.0, 10.0] "", Literal, "Eq. (5.24), β_p", "Learning rate of a mean when δ < 0";
+        centre_reward_rate: f64 = 0.01, "learner.centre_reward_rate" [0.0, 1.0] "", Literal, "Eq. (5.25), ε_r", "Learning rate of a centre when δ > 0";
+        centre_penalty_rate: f64 = 0.001, "learner.centre_penalty_rate" [0.0, 1.0] "", Literal, "Eq. (5.25), ε_p", "Learning rate of a centre when δ < 0";
+        split_threshold: f64 = 50.0, "learner.split_threshold" [0.0, 1000.0] "", Literal, "section 5.9, Δ", "TD error above which the past situation gets its own neuron";
         backtrack: bool = true, "learner.backtrack" "", Literal, "Eq. (5.26)", "Set utilities from the reinforcements to the goal after a successful trial";
         replacement: Replacement = Replacement::Forward, "learner.replacement" "", Literal, "Eq. (5.28)", "How a record trial replaces prototypical actions";
-        band_repulsion: f64 = 1.6, "band.repulsion" [0.0, 10.0] "1", Addition, "A1, κ, tuned", "Push away from a wall where the safety penalty was paid, in advances";
-        band_decay: f64 = 0.85, "band.decay" [0.0, 0.99] "1", Addition, "A1, λ, tuned", "Weight of each later step in the chord a neuron aims along";
+        band_repulsion: f64 = 1.6, "band.repulsion" [0.0, 10.0] "", Addition, "A1, κ, tuned", "Push away from a wall where the safety penalty was paid, in advances";
+        band_decay: f64 = 0.85, "band.decay" [0.0, 0.99] "", Addition, "A1, λ, tuned", "Weight of each later step in the chord a neuron aims along";
     }
 }
 

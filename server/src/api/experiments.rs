@@ -10,6 +10,7 @@ use super::App;
 use super::arena::{Size, png};
 use super::extract::{Path, Query};
 use super::problem::Failure;
+use crate::catalog::DEFAULT_WORLD;
 use crate::render::Quality;
 use crate::session::empty_arena;
 use crate::wire::{ExperimentInfo, Problem, ThemeName};
@@ -63,7 +64,7 @@ pub(super) async fn picture(
     let size = Size::new(query.width.unwrap_or(480), query.height.unwrap_or(320))?;
     let worlds = app.lab.catalog().worlds();
     let world = worlds
-        .get(query.world.as_deref().unwrap_or(worlds.default()))
+        .get(query.world.as_deref().unwrap_or(DEFAULT_WORLD))
         .map_err(|error| Failure::not_acceptable("world", error.message))?;
     let names: Vec<String> =
         world.world.regions().iter().map(|region| region.name.clone()).collect();

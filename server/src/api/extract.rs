@@ -31,7 +31,7 @@ impl<S: Send + Sync, T: DeserializeOwned + Default> FromRequest<S> for OptionalB
     async fn from_request(request: Request, state: &S) -> Result<Self, Failure> {
         let checked = check_content_type(&request);
         let bytes = Bytes::from_request(request, state).await.map_err(unreadable_body)?;
-        if bytes.is_empty() {
+        if bytes.is_empty() || bytes.as_ref() == b"null" {
             return Ok(Self(T::default()));
         }
         checked?;
@@ -92,12 +92,19 @@ fn check_content_type(request: &Request) -> Result<(), Failure> {
 }
 
 fn parse<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Failure> {
+    // A list would be read as the fields in their order, which nobody means.
+    if bytes.trim_ascii_start().first() == Some(&b'[') {
+        return Err(Failure::unreadable("the body must be a JSON object, not a list"));
+    }
     let mut deserializer = serde_json::Deserializer::from_slice(bytes);
     let value = serde_path_to_error::deserialize(&mut deserializer).map_err(|error| {
         let (path, detail) = (error.path().to_string(), error.inner().to_string());
         let field = if error.inner().is_data() { field_of(&path, &detail) } else { None };
-        let hint = field.as_deref().map(expected).unwrap_or_default();
-        named(Failure::unreadable(format!("{detail}{hint}")), field)
+        let detail = match field.as_deref().and_then(expected) {
+            Some(expected) => format!("must be {expected} ({detail})"),
+            None => detail,
+        };
+        named(Failure::unreadable(detail), field)
     })?;
     deserializer
         .end()
@@ -106,13 +113,13 @@ fn parse<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Failure> {
 }
 
 /// What would be right, for the fields whose types say too little.
-fn expected(field: &str) -> &'static str {
+fn expected(field: &str) -> Option<&'static str> {
     match field {
-        "seed" => "; a whole number from 0 to 9007199254740991",
-        "trials" => "; a whole number from 1 to 100000",
-        "speed" => "; ticks a second from 0.1 to 10000, or \"max\"",
-        "settings" => "; an object of settings, e.g. {\"sonar.noise\": 0.02}",
-        _ => "",
+        "seed" => Some("a whole number from 0 to 9007199254740991"),
+        "trials" => Some("a whole number from 1 to 100000"),
+        "speed" => Some("ticks a second from 0.1 to 10000, or \"max\""),
+        "settings" => Some("an object of settings, e.g. {\"sonar.noise\": 0.02}"),
+        _ => None,
     }
 }
 

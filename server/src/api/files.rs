@@ -7,6 +7,7 @@ use axum::body::Body;
 use axum::extract::State;
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
+use serde::Deserialize;
 
 use super::extract::Path;
 use super::problem::Failure;
@@ -41,6 +42,14 @@ pub(super) async fn session(
     Ok(download(&name, format, Body::from(bytes)))
 }
 
+/// A file of a trial.
+#[derive(Deserialize)]
+pub(super) struct TrialFile {
+    id: String,
+    trial: u32,
+    file: String,
+}
+
 /// A report of a trial: `report.html`, `report.json`, `report.csv` or `report.png`
 #[utoipa::path(get, path = "/sessions/{id}/trials/{trial}/{file}", tag = "reports",
     params(("id" = String, Path, description = "Identifier"),
@@ -49,7 +58,7 @@ pub(super) async fn session(
     responses((status = 200, description = "The file"), (status = 404, body = Problem)))]
 pub(super) async fn trial(
     State(app): State<App>,
-    Path((id, trial, file)): Path<(String, u32, String)>,
+    Path(TrialFile { id, trial, file }): Path<TrialFile>,
 ) -> Result<Response, Failure> {
     let Some(format) = format_of(&file, &TRIAL_FILES) else {
         return Err(no_such_file(&file, &TRIAL_FILES));

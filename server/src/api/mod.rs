@@ -20,10 +20,12 @@ mod tests;
 use std::future::Future;
 use std::io;
 use std::net::SocketAddr;
+use std::sync::Arc;
 use std::time::Duration;
 
-use axum::extract::DefaultBodyLimit;
-use axum::http::StatusCode;
+use axum::extract::{DefaultBodyLimit, OriginalUri};
+use axum::http::{Method, StatusCode};
+use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use axum::serve::ListenerExt;
 use axum::{Router, middleware};
@@ -74,7 +76,7 @@ pub async fn serve(
         // Small messages leave at once; without it they only leave later.
         let _ = connection.set_nodelay(true);
     });
-    let closed = std::sync::Arc::new(Notify::new());
+    let closed = Arc::new(Notify::new());
     let ending = {
         let closed = closed.clone();
         async move {
@@ -93,10 +95,7 @@ pub async fn serve(
 /// All routes. When the server listens to this machine only, foreign host names are refused.
 pub fn router(app: App, address: SocketAddr) -> Router {
     let (api, document) = openapi::routes().split_for_parts();
-    let api = api
-        .route("/sessions/{id}/stream", get(stream::open))
-        .fallback(no_such_route)
-        .method_not_allowed_fallback(no_such_method);
+    let api = api.fallback(no_such_route).method_not_allowed_fallback(no_such_method);
     let not_packed_twice = DefaultPredicate::new()
         .and(NotForContentType::const_new("application/zip"))
         .and(NotForContentType::const_new("application/octet-stream"));
@@ -129,11 +128,11 @@ async fn blocking<T: Send + 'static, E: Into<Failure> + Send + 'static>(
     }
 }
 
-async fn no_such_route(uri: axum::http::Uri) -> Failure {
+async fn no_such_route(OriginalUri(uri): OriginalUri) -> Failure {
     Failure::not_found(format!("there is no {}; /api/docs lists what there is", uri.path()))
 }
 
-async fn no_such_method(method: axum::http::Method, uri: axum::http::Uri) -> Failure {
+async fn no_such_method(method: Method, OriginalUri(uri): OriginalUri) -> Failure {
     Failure::new(
         StatusCode::METHOD_NOT_ALLOWED,
         "method-not-allowed",
@@ -142,8 +141,7 @@ async fn no_such_method(method: axum::http::Method, uri: axum::http::Uri) -> Fai
     )
 }
 
-fn panicked(panic: Box<dyn std::any::Any + Send>) -> axum::response::Response {
-    use axum::response::IntoResponse;
+fn panicked(panic: Box<dyn std::any::Any + Send>) -> Response {
     let text = panic.downcast_ref::<&str>().copied();
     let text = text.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
     Failure::internal(text.unwrap_or("a panic")).into_response()

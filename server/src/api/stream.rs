@@ -8,6 +8,7 @@ use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::http::{HeaderMap, StatusCode};
 use axum::response::Response;
 use serde::Deserialize;
+use utoipa::IntoParams;
 
 use super::extract::{Path, Query};
 use super::guard::check_origin;
@@ -15,15 +16,21 @@ use super::problem::Failure;
 use super::{App, blocking};
 use crate::session::{LabError, Scenery};
 use crate::stream::{LARGEST_MESSAGE, serve};
+use crate::wire::Problem;
 
 /// Where a client that was here before goes on.
-#[derive(Deserialize)]
+#[derive(Deserialize, IntoParams)]
 #[serde(deny_unknown_fields)]
 pub(super) struct StreamQuery {
     /// Number of the last event it has seen.
     since: Option<u64>,
 }
 
+/// Watch a session over a WebSocket
+#[utoipa::path(get, path = "/sessions/{id}/stream", tag = "results",
+    params(("id" = String, Path, description = "Identifier"), StreamQuery),
+    responses((status = 101, description = "The stream; its first message is `hello`"),
+        (status = 404, body = Problem), (status = 426, body = Problem)))]
 pub(super) async fn open(
     State(app): State<App>,
     Path(id): Path<String>,

@@ -27,6 +27,20 @@ pub(super) async fn trials(
     Ok(Json(feed.trials().iter().map(|trial| Trial::clone(trial)).collect()))
 }
 
+/// A trial of a session.
+#[derive(Deserialize)]
+pub(super) struct TrialPath {
+    id: String,
+    trial: u32,
+}
+
+/// A neuron of a session.
+#[derive(Deserialize)]
+pub(super) struct NeuronPath {
+    id: String,
+    neuron: u32,
+}
+
 /// One trial, with what the learner did at its end
 #[utoipa::path(get, path = "/sessions/{id}/trials/{trial}", tag = "results",
     params(("id" = String, Path, description = "Identifier"),
@@ -34,7 +48,7 @@ pub(super) async fn trials(
     responses((status = 200, body = TrialEndView), (status = 404, body = Problem)))]
 pub(super) async fn trial(
     State(app): State<App>,
-    Path((id, trial)): Path<(String, u32)>,
+    Path(TrialPath { id, trial }): Path<TrialPath>,
 ) -> Result<Json<TrialEndView>, Failure> {
     app.lab.flush(&id).await;
     let done = {
@@ -108,7 +122,7 @@ pub(super) async fn neurons(
     responses((status = 200, body = NeuronView), (status = 404, body = Problem)))]
 pub(super) async fn neuron(
     State(app): State<App>,
-    Path((id, neuron)): Path<(String, u32)>,
+    Path(NeuronPath { id, neuron }): Path<NeuronPath>,
 ) -> Result<Json<NeuronView>, Failure> {
     let found = app.lab.neuron(&id, neuron).await?;
     found.map(Json).ok_or_else(|| {

@@ -8,7 +8,7 @@ mod worlds;
 pub use plan::{FieldError, Plan, speed as check_speed};
 pub use presets::Preset;
 pub use values::{flatten, from_text};
-pub use worlds::{NamedWorld, Worlds};
+pub use worlds::{DEFAULT_WORLD, NamedWorld, Worlds};
 
 use std::path::Path;
 

@@ -6,7 +6,7 @@ use serde_json::Value as Json;
 use sonarium_core::experiment::Settings;
 use sonarium_core::settings::{SettingError, Spec};
 
-use super::worlds::NamedWorld;
+use super::worlds::{DEFAULT_WORLD, NamedWorld};
 use super::{Catalog, DEFAULT_TRIALS, MAX_TRIALS, presets, values, worlds};
 use crate::clock;
 use crate::session::Names;
@@ -67,7 +67,7 @@ impl Catalog {
     /// The first field that is unknown, of the wrong type or out of range.
     pub fn resolve(&self, request: &NewSession) -> Result<Plan, FieldError> {
         self.check_experiment(&request.experiment)?;
-        let name = name_in(&request.settings, "world")?.unwrap_or(self.worlds().default());
+        let name = name_in(&request.settings, "world")?.unwrap_or(DEFAULT_WORLD);
         self.resolve_in(self.worlds().get(name)?.clone(), request)
     }
 
@@ -100,10 +100,9 @@ impl Catalog {
             }
         }
         let (mut values, mut changed) = differences(&settings);
-        for (key, name, default) in [
-            ("world", world.name.as_str(), self.worlds().default()),
-            ("preset", preset, presets::DEFAULT),
-        ] {
+        for (key, name, default) in
+            [("world", world.name.as_str(), DEFAULT_WORLD), ("preset", preset, presets::DEFAULT)]
+        {
             values.insert(key.into(), name.into());
             if name != default {
                 changed.insert(0, key.into());

@@ -14,7 +14,7 @@ use super::{CatalogError, FieldError};
 use crate::wire::WorldInfo;
 
 /// The world a session runs in unless told otherwise.
-const DEFAULT: &str = "laboratory";
+pub const DEFAULT_WORLD: &str = "laboratory";
 
 #[derive(Embed)]
 #[folder = "$CARGO_MANIFEST_DIR/../assets/worlds"]
@@ -59,13 +59,6 @@ impl Worlds {
         Ok(Self(worlds))
     }
 
-    /// Name of the default world.
-    #[must_use]
-    #[expect(clippy::unused_self, reason = "the default is a property of the collection")]
-    pub fn default(&self) -> &'static str {
-        DEFAULT
-    }
-
     /// A world by name.
     ///
     /// # Errors
@@ -87,7 +80,7 @@ impl Worlds {
     #[must_use]
     pub fn infos(&self) -> Vec<WorldInfo> {
         let mut infos: Vec<WorldInfo> = self.0.values().flatten().map(info).collect();
-        infos.sort_by_key(|info| info.name != DEFAULT);
+        infos.sort_by_key(|info| info.name != DEFAULT_WORLD);
         infos
     }
 }
@@ -165,7 +158,7 @@ mod tests {
         let error = worlds.get("bad").expect_err("it is broken");
         assert_eq!(error.field, "settings.world");
         assert!(error.message.starts_with("the world `bad` cannot be used: "), "{error}");
-        assert!(worlds.get(DEFAULT).is_ok());
+        assert!(worlds.get(DEFAULT_WORLD).is_ok());
     }
 
     #[test]

@@ -224,7 +224,8 @@ fn maze() -> ArenaView {
 
 #[test]
 fn every_text_stands_inside_the_picture() {
-    let sizes = [(320, 213), (640, 400), (960, 640), (1000, 700), (700, 1400), (4096, 4096)];
+    let sizes =
+        [(320, 213), (420, 640), (640, 400), (960, 640), (1000, 700), (700, 1400), (4096, 4096)];
     for ((width, height), view) in
         sizes.iter().flat_map(|&size| [(size, laboratory(500, 130)), (size, maze())])
     {

@@ -17,7 +17,7 @@ pub struct ArenaView {
     pub goal_m: [f64; 2],
     /// Radius of the goal; there is none if it is not positive.
     pub goal_radius_m: f64,
-    /// Paths of earlier trials, oldest first.
+    /// Paths of earlier trials, oldest first; only the newest [`super::MOST_GHOSTS`] are drawn.
     pub earlier_paths_m: Vec<Vec<[f64; 2]>>,
     /// Path of the best trial so far, if it is not the one shown.
     pub best_path_m: Vec<[f64; 2]>,

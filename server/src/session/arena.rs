@@ -55,16 +55,23 @@ impl Scenery {
         }
     }
 
-    /// The robot as a tick left it.
+    /// The robot where it took the readings of a tick, since cones belong to the place they were
+    /// measured from; at the goal, when that is where the tick led, and then without cones.
     #[must_use]
     pub fn robot(&self, tick: &TickView) -> RobotView {
+        let arrived = tick.outcome.reached_goal;
+        let (pose, believed) = if arrived {
+            (tick.outcome.true_pose, tick.outcome.pose)
+        } else {
+            (tick.true_pose, tick.pose)
+        };
         RobotView {
-            pose: robot_pose(tick.outcome.true_pose),
-            believed: robot_pose(tick.outcome.pose),
+            pose: robot_pose(pose),
+            believed: robot_pose(believed),
             radius_m: self.radius_m,
             cone_rad: self.cone_rad,
             range_m: self.range_m,
-            sonar_m: tick.sonar_m.clone(),
+            sonar_m: if arrived { Vec::new() } else { tick.sonar_m.clone() },
             collided: tick.outcome.contact != "none",
         }
     }

@@ -32,6 +32,17 @@ pub struct Snapshot {
     pub paths: Paths,
 }
 
+/// What happened since the last snapshot.
+#[derive(Debug, Default)]
+pub struct News {
+    /// Trials that ended.
+    pub trials: Vec<Trial>,
+    /// Lines for the event log.
+    pub log: Vec<LogEntry>,
+    /// The session's state, pace or progress changed.
+    pub state: bool,
+}
+
 /// An event as it is sent: serialised once, for everybody.
 #[derive(Clone, Debug)]
 pub struct Event {
@@ -174,44 +185,18 @@ impl Feed {
         self.viewers.load(Ordering::Relaxed)
     }
 
-    /// Shows a new present.
-    pub fn publish(&self, snapshot: Snapshot) {
-        self.lock().snapshot = Arc::new(snapshot);
-        self.wake();
-    }
-
-    /// Says that the session's state, pace or progress changed.
-    pub fn say_state(&self, session: &Session) {
-        self.lock().push(|seq| ServerMessage::State { seq, session: session.clone() });
-        self.wake();
-    }
-
-    /// Says that trials ended.
-    pub fn say_trials(&self, trials: Vec<Trial>) {
-        if trials.is_empty() {
-            return;
-        }
-        let points = trials.iter().map(CurvePoint::from).collect::<Vec<_>>();
+    /// Shows a new present and tells what led to it, all at once: nobody sees one without the other.
+    pub fn publish(&self, snapshot: Snapshot, news: News) {
         let mut inner = self.lock();
-        inner.trials.extend(trials.iter().cloned().map(Arc::new));
-        inner.push(|seq| ServerMessage::Trial { seq, trials });
-        inner.push(|seq| ServerMessage::Curve { seq, points });
-        drop(inner);
-        self.wake();
-    }
-
-    /// Says what happened.
-    pub fn say_log(&self, entries: Vec<LogEntry>) {
-        if entries.is_empty() {
-            return;
+        inner.tell_trials(news.trials);
+        inner.tell_log(news.log);
+        if news.state {
+            let session = Box::new(snapshot.session.clone());
+            inner.push(|seq| ServerMessage::State { seq, session });
         }
-        let mut inner = self.lock();
-        inner.log.extend(entries.iter().cloned());
-        let surplus = inner.log.len().saturating_sub(LOG_LINES);
-        inner.log.drain(..surplus);
-        inner.push(|seq| ServerMessage::Log { seq, entries });
+        inner.snapshot = Arc::new(snapshot);
         drop(inner);
-        self.wake();
+        self.changed.send_modify(|version| *version += 1);
     }
 
     /// Keeps the first trials only, because the rest is about to be done again. What clients hold is
@@ -227,13 +212,29 @@ impl Feed {
     fn lock(&self) -> MutexGuard<'_, Inner> {
         self.inner.lock().unwrap_or_else(PoisonError::into_inner)
     }
-
-    fn wake(&self) {
-        self.changed.send_modify(|version| *version += 1);
-    }
 }
 
 impl Inner {
+    fn tell_trials(&mut self, trials: Vec<Trial>) {
+        if trials.is_empty() {
+            return;
+        }
+        let points = trials.iter().map(CurvePoint::from).collect();
+        self.trials.extend(trials.iter().cloned().map(Arc::new));
+        self.push(|seq| ServerMessage::Trial { seq, trials });
+        self.push(|seq| ServerMessage::Curve { seq, points });
+    }
+
+    fn tell_log(&mut self, entries: Vec<LogEntry>) {
+        if entries.is_empty() {
+            return;
+        }
+        self.log.extend(entries.iter().cloned());
+        let surplus = self.log.len().saturating_sub(LOG_LINES);
+        self.log.drain(..surplus);
+        self.push(|seq| ServerMessage::Log { seq, entries });
+    }
+
     fn push(&mut self, message: impl FnOnce(u64) -> ServerMessage) {
         self.seq += 1;
         let text = text(&message(self.seq));

@@ -1,4 +1,4 @@
-//! A session that nobody runs, as the store knows it.
+//! A session that nobody runs, as the store knows it: from its first row to what viewers see of it.
 
 use std::sync::Arc;
 
@@ -7,9 +7,13 @@ use super::feed::{Feed, Snapshot};
 use super::paths::Paths;
 use super::state::Condition;
 use crate::catalog::Plan;
-use crate::store::{SessionRow, Store, StoreError};
+use crate::clock;
+use crate::store::{LogHeader, SessionRow, Store, StoreError};
 use crate::wire::{NeuronView, Session, State, TickView, Trial};
 
+/// Letters and digits of identifiers: none that is easily taken for another.
+const ALPHABET: &[u8] = b"abcdefghjkmnpqrstuvwxyz23456789";
+const ID_LENGTH: usize = 8;
 /// Lines of the event log that are read.
 const LINES: usize = 500;
 /// Most ticks read to draw where the robot has been.
@@ -90,4 +94,51 @@ fn paths(trials: &[Trial], ticks: &[TickView]) -> Paths {
         }
     }
     paths
+}
+
+/// The row of a session that has just been thought of.
+pub(crate) fn new_row(plan: &Plan) -> SessionRow {
+    let now = clock::now();
+    SessionRow {
+        id: new_id(),
+        experiment: plan.experiment.clone(),
+        seed: plan.seed,
+        preset: plan.preset.clone(),
+        world: plan.world.name.clone(),
+        world_text: plan.world.text.clone(),
+        settings: plan.values.clone(),
+        trials: plan.trials,
+        speed: plan.speed,
+        build: crate::build(),
+        state: State::Queued,
+        reason: None,
+        created_at: now.clone(),
+        changed_at: now,
+        tick: 0,
+        trials_done: 0,
+    }
+}
+
+/// What a session's log begins with.
+pub(crate) fn log_header(row: &SessionRow) -> LogHeader {
+    LogHeader {
+        experiment: row.experiment.clone(),
+        seed: row.seed,
+        settings: row.settings.clone(),
+        trials: row.trials,
+        build: row.build.clone(),
+        world_text: row.world_text.clone(),
+    }
+}
+
+/// An identifier short enough to be read out.
+fn new_id() -> String {
+    let letters = ALPHABET.len() as u64;
+    let mut rest = clock::entropy();
+    let mut letter = || {
+        let index = usize::try_from(rest % letters).unwrap_or_default();
+        rest /= letters;
+        char::from(ALPHABET[index])
+    };
+    (0..ID_LENGTH).map(|_| letter()).collect()
 }

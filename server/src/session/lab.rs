@@ -14,13 +14,8 @@ use super::history;
 use super::slots::Slots;
 use super::state::{Control, name};
 use crate::catalog::{Catalog, FieldError, Plan};
-use crate::clock;
 use crate::store::{SessionRow, Store, StoreError};
 use crate::wire::{Ack, LogEntry, NeuronView, NewSession, Session, State};
-
-/// Letters and digits of identifiers: none that is easily taken for another.
-const ALPHABET: &[u8] = b"abcdefghjkmnpqrstuvwxyz23456789";
-const ID_LENGTH: usize = 8;
 
 /// All sessions. A clone is the same laboratory.
 #[derive(Clone)]
@@ -127,7 +122,7 @@ impl Lab {
     pub fn create(&self, request: &NewSession) -> Result<Session, LabError> {
         let plan = self.catalog().resolve(request)?;
         super::run::Run::new(&plan)?;
-        let row = new_row(&plan);
+        let row = history::new_row(&plan);
         self.store().insert_session(&row)?;
         Ok(history::session(self.store(), row, plan.changed)?)
     }
@@ -248,6 +243,12 @@ impl Lab {
         actor.is_some_and(|actor| actor.send(command).is_ok())
     }
 
+    /// Makes the actor of a session panic.
+    #[cfg(test)]
+    pub(super) fn panic(&self, id: &str) {
+        assert!(self.tell(id, Command::Panic), "the session has an actor");
+    }
+
     fn send(&self, id: &str, command: Command) -> Result<(), LabError> {
         let row = self.row(id)?;
         let mut desks = self.desks();
@@ -345,38 +346,4 @@ impl Lab {
     fn desks(&self) -> MutexGuard<'_, BTreeMap<String, Desk>> {
         self.0.desks.lock().unwrap_or_else(PoisonError::into_inner)
     }
-}
-
-fn new_row(plan: &Plan) -> SessionRow {
-    let now = clock::now();
-    SessionRow {
-        id: new_id(),
-        experiment: plan.experiment.clone(),
-        seed: plan.seed,
-        preset: plan.preset.clone(),
-        world: plan.world.name.clone(),
-        world_text: plan.world.text.clone(),
-        settings: plan.values.clone(),
-        trials: plan.trials,
-        speed: plan.speed,
-        build: crate::build(),
-        state: State::Queued,
-        reason: None,
-        created_at: now.clone(),
-        changed_at: now,
-        tick: 0,
-        trials_done: 0,
-    }
-}
-
-/// An identifier short enough to be read out.
-fn new_id() -> String {
-    let letters = ALPHABET.len() as u64;
-    let mut rest = clock::entropy();
-    let mut letter = || {
-        let index = usize::try_from(rest % letters).unwrap_or_default();
-        rest /= letters;
-        char::from(ALPHABET[index])
-    };
-    (0..ID_LENGTH).map(|_| letter()).collect()
 }

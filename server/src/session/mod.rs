@@ -27,9 +27,13 @@ mod slots;
 mod state;
 mod view;
 
+#[cfg(test)]
+mod tests;
+
 pub use actor::ControlError;
 pub use arena::{Scenery, empty_arena, world_view};
-pub use feed::{Event, Feed, Missed, Snapshot, Viewer, text};
+pub use feed::{Event, Feed, Missed, News, Snapshot, Viewer, text};
+pub(crate) use history::{log_header, new_row};
 pub use lab::{Lab, LabError};
 pub use paths::Paths;
 pub use reporting::{ReportError, Reporter, summary};

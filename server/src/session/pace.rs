@@ -10,7 +10,7 @@ const FORGIVEN: Duration = Duration::from_secs(1);
 /// An absolute schedule: tick k is due at `start + k · period`, so that waiting too long once does not
 /// shift all later ticks.
 #[derive(Clone, Copy, Debug)]
-pub struct Pace {
+pub(super) struct Pace {
     /// Time between two ticks; none when there is nothing to wait for.
     period: Option<Duration>,
     due: Instant,
@@ -19,7 +19,7 @@ pub struct Pace {
 impl Pace {
     /// A schedule whose first tick is due now.
     #[must_use]
-    pub fn new(speed: Speed, now: Instant) -> Self {
+    pub(super) fn new(speed: Speed, now: Instant) -> Self {
         let period = match speed {
             Speed::TicksPerSecond(rate_hz) => Some(Duration::from_secs_f64(1.0 / rate_hz)),
             Speed::Named(_) => None,
@@ -29,7 +29,7 @@ impl Pace {
 
     /// How long to wait for the next tick; zero when it is due.
     #[must_use]
-    pub fn wait(&self, now: Instant) -> Duration {
+    pub(super) fn wait(&self, now: Instant) -> Duration {
         match self.period {
             Some(_) => self.due.saturating_duration_since(now),
             None => Duration::ZERO,
@@ -37,7 +37,7 @@ impl Pace {
     }
 
     /// Counts a tick as done.
-    pub fn done(&mut self, now: Instant) {
+    pub(super) fn done(&mut self, now: Instant) {
         let Some(period) = self.period else { return };
         self.due += period;
         if now.saturating_duration_since(self.due) > FORGIVEN {

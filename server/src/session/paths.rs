@@ -10,7 +10,7 @@ const KEPT: usize = 40;
 const POINTS: usize = 240;
 
 /// A path as true positions, metres.
-pub type Path = Vec<[f64; 2]>;
+type Path = Vec<[f64; 2]>;
 
 /// The paths of a session.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,10 +1,10 @@
 //! Getting a session ready: its machine and its log, new or from the last checkpoint.
 
 use super::actor::ControlError;
+use super::history;
 use super::lab::Lab;
 use super::run::Run;
-use crate::catalog::Plan;
-use crate::store::{LogHeader, LogWriter, SessionRow, Store, StoreError, resume_log};
+use crate::store::{LogWriter, SessionRow, Store, StoreError, resume_log};
 use crate::wire::LogEntry;
 
 /// A session ready for its next tick.
@@ -32,29 +32,16 @@ impl Prepared {
         };
         let (tick, trials_done) = checkpoint.map_or((0, 0), |c| (c.tick, c.trials_done));
         let said = store.events(id, usize::MAX)?;
-        let log = open_log(store, &row, &plan, tick)?;
+        let log = open_log(store, &row, tick)?;
         let kept = store.events(id, usize::MAX)?.len();
         let lost = said.into_iter().skip(kept).filter(|entry| entry.kind != "trial").collect();
         Ok(Self { run, log, tick, trials_done, lost })
     }
 }
 
-fn open_log(
-    store: &Store,
-    row: &SessionRow,
-    plan: &Plan,
-    tick: u64,
-) -> Result<LogWriter, StoreError> {
+fn open_log(store: &Store, row: &SessionRow, tick: u64) -> Result<LogWriter, StoreError> {
     if store.log_path(&row.id).exists() {
         return resume_log(store, &row.id, tick);
     }
-    let header = LogHeader {
-        experiment: row.experiment.clone(),
-        seed: row.seed,
-        settings: plan.values.clone(),
-        trials: row.trials,
-        build: row.build.clone(),
-        world_text: row.world_text.clone(),
-    };
-    LogWriter::create(store, &row.id, &header)
+    LogWriter::create(store, &row.id, &history::log_header(row))
 }

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// The places on the machine's cores. A clone is the same set of places.
 #[derive(Clone)]
-pub struct Slots(Arc<Mutex<Places>>);
+pub(super) struct Slots(Arc<Mutex<Places>>);
 
 struct Places {
     free: usize,
@@ -16,17 +16,17 @@ struct Places {
 type Deliver = Box<dyn FnOnce(Permit) + Send>;
 
 /// The right to run; dropping it lets the next one in.
-pub struct Permit(Slots);
+pub(super) struct Permit(Slots);
 
 impl Slots {
     /// So many places, all free.
     #[must_use]
-    pub fn new(places: usize) -> Self {
+    pub(super) fn new(places: usize) -> Self {
         Self(Arc::new(Mutex::new(Places { free: places, waiting: VecDeque::new() })))
     }
 
     /// Takes a place, or remembers `deliver` until it is `session`'s turn.
-    pub fn request(
+    pub(super) fn request(
         &self,
         session: &str,
         deliver: impl FnOnce(Permit) + Send + 'static,
@@ -41,7 +41,7 @@ impl Slots {
     }
 
     /// Takes a session out of the queue.
-    pub fn withdraw(&self, session: &str) {
+    pub(super) fn withdraw(&self, session: &str) {
         let mut places = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         places.waiting.retain(|(waiting, _)| waiting != session);
     }

@@ -28,6 +28,7 @@ impl Store {
     /// Rebuilds the index of a session from its log. A log that is cut off or damaged counts as far
     /// as it can be read.
     pub fn recover(&self, id: &str) -> Result<Recovered, StoreError> {
+        self.existing(id)?;
         remove_if_there(&resumed_path(self, id))?;
         let path = self.log_path(id);
         let (chunks, recovered) = if path.exists() { scan(&path)? } else { Default::default() };
@@ -38,6 +39,7 @@ impl Store {
     /// Puts the log aside as `log-<n>.mcap` and empties the index, so that the session can start
     /// again from its first tick. Gives the file the log went to, if there was a log.
     pub fn reset(&self, id: &str) -> Result<Option<PathBuf>, StoreError> {
+        self.existing(id)?;
         self.drop_checkpoint(id)?;
         let log = self.log_path(id);
         let aside = log.exists().then(|| free_name(&self.session_folder(id)));
@@ -53,23 +55,41 @@ impl Store {
     /// Sessions that were alive when the last server ended become `interrupted`.
     pub(super) fn interrupt_left_over_sessions(&self) -> Result<(), StoreError> {
         for row in self.sessions()? {
-            let was_alive = match row.state {
-                State::Starting | State::Running | State::Paused | State::Stopping => true,
-                State::Queued => self.log_path(&row.id).exists(),
-                // A resume may have been cut off after it swapped the log.
-                State::Interrupted => {
-                    self.recover(&row.id)?;
-                    false
+            match row.state {
+                State::Starting | State::Running | State::Paused | State::Stopping => {
+                    self.interrupt_left_over(&row.id)?;
                 }
-                State::Stopped | State::Finished | State::Failed => false,
-            };
-            if was_alive {
-                self.recover(&row.id)?;
-                let reason = self.interruption(&row.id)?;
-                self.interrupt(&row.id, &reason)?;
+                State::Queued if self.log_path(&row.id).exists() => {
+                    self.interrupt_left_over(&row.id)?;
+                }
+                // A resume may have been cut off just after it swapped the log.
+                State::Interrupted => drop(self.recover_if_readable(&row.id)?),
+                State::Queued | State::Stopped | State::Finished | State::Failed => {}
             }
         }
         Ok(())
+    }
+
+    fn interrupt_left_over(&self, id: &str) -> Result<(), StoreError> {
+        let reason = match self.recover_if_readable(id)? {
+            None => self.interruption(id)?,
+            Some(unreadable) => {
+                format!("The server ended while the session was in use; {unreadable}")
+            }
+        };
+        self.interrupt(id, &reason)
+    }
+
+    /// Recovers a session, or gives the reason why its log cannot be read: one bad log must not
+    /// keep the others from being served.
+    fn recover_if_readable(&self, id: &str) -> Result<Option<StoreError>, StoreError> {
+        match self.recover(id) {
+            Ok(_) => Ok(None),
+            Err(unreadable @ (StoreError::NotALog { .. } | StoreError::File { .. })) => {
+                Ok(Some(unreadable))
+            }
+            Err(other) => Err(other),
+        }
     }
 
     fn interruption(&self, id: &str) -> Result<String, StoreError> {
@@ -77,7 +97,7 @@ impl Store {
             Some(checkpoint) => {
                 format!("it can be resumed from its checkpoint at tick {}", checkpoint.tick)
             }
-            None => "there is no checkpoint yet, so it has to be reset".into(),
+            None => "there is no checkpoint yet, so a resume begins with its first trial".into(),
         };
         Ok(format!("The server ended while the session was in use; {way_on}"))
     }
@@ -88,6 +108,7 @@ impl Store {
 /// All records up to that tick, the end of its trial included, are copied to a new file, which then
 /// takes the old one's place. A crash before that leaves the old log as it was.
 pub fn resume_log(store: &Store, id: &str, checkpoint_tick: u64) -> Result<LogWriter, StoreError> {
+    store.existing(id)?;
     let old = store.log_path(id);
     let new = resumed_path(store, id);
     let header = LogReader::open(&old)?.header().cloned();

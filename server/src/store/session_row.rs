@@ -134,6 +134,12 @@ impl Store {
         found.map_err(StoreError::index("read a session"))
     }
 
+    /// One session that has to be there. What names files asks this first, so that no other name
+    /// reaches the file system.
+    pub(super) fn existing(&self, id: &str) -> Result<SessionRow, StoreError> {
+        self.session(id)?.ok_or_else(|| StoreError::NoSession { id: id.into() })
+    }
+
     /// All sessions, newest first.
     pub fn sessions(&self) -> Result<Vec<SessionRow>, StoreError> {
         let sql = format!("SELECT {COLUMNS} FROM session ORDER BY number DESC");

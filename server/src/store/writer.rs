@@ -37,7 +37,7 @@ pub struct LogWriter {
 impl LogWriter {
     /// Starts the log of a session that has none, or one without ticks.
     pub fn create(store: &Store, id: &str, header: &LogHeader) -> Result<Self, StoreError> {
-        let row = store.session(id)?.ok_or_else(|| StoreError::NoSession { id: id.into() })?;
+        let row = store.existing(id)?;
         if row.tick > 0 {
             return Err(StoreError::LogExists { id: id.into(), tick: row.tick });
         }

@@ -8,6 +8,9 @@ mod connection;
 mod frames;
 mod subscription;
 
+#[cfg(test)]
+mod tests;
+
 pub use connection::{Goodbye, serve};
 pub use frames::Frames;
 pub use subscription::{LARGEST_MESSAGE, Subscription};

@@ -21,7 +21,7 @@ pub enum ServerMessage {
         /// Event number.
         seq: u64,
         /// The session now.
-        session: Session,
+        session: Box<Session>,
     },
     /// The present control step.
     Tick {

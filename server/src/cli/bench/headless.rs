@@ -4,9 +4,9 @@ use std::time::Instant;
 
 use super::{Failure, Line};
 use crate::catalog::{Catalog, MINIMUM_COST_PATH, Plan};
-use crate::session::Run;
-use crate::store::{LogHeader, LogRecord, LogWriter, SessionRow, Store};
-use crate::wire::{NewSession, State};
+use crate::session::{Run, log_header, new_row};
+use crate::store::{LogRecord, LogWriter, Store};
+use crate::wire::NewSession;
 
 /// Sets of 20 trials in one measurement, seeds 1 to this.
 const SETS: u64 = 50;
@@ -82,11 +82,11 @@ fn steps_a_second(catalog: &Catalog) -> Result<f64, Failure> {
 #[expect(clippy::cast_precision_loss, reason = "steps are far below 2^53")]
 fn logged_steps_a_second(catalog: &Catalog, store: &Store, k: u64) -> Result<f64, Failure> {
     let plan = plan(catalog, k + 1, LOGGED_TRIALS)?;
-    let row = row(&plan, format!("bench{k}"));
+    let row = new_row(&plan);
     store.insert_session(&row)?;
     let mut run = Run::new(&plan)?;
     let start = Instant::now();
-    let log = LogWriter::create(store, &row.id, &header(&row))?;
+    let log = LogWriter::create(store, &row.id, &log_header(&row))?;
     let (mut steps, mut trials) = (0_u64, 0);
     while trials < plan.trials {
         let stepped = run.step();
@@ -100,36 +100,4 @@ fn logged_steps_a_second(catalog: &Catalog, store: &Store, k: u64) -> Result<f64
     }
     log.finish()?;
     Ok(steps as f64 / start.elapsed().as_secs_f64())
-}
-
-fn row(plan: &Plan, id: String) -> SessionRow {
-    SessionRow {
-        id,
-        experiment: plan.experiment.clone(),
-        seed: plan.seed,
-        preset: plan.preset.clone(),
-        world: plan.world.name.clone(),
-        world_text: plan.world.text.clone(),
-        settings: plan.values.clone(),
-        trials: plan.trials,
-        speed: plan.speed,
-        build: crate::build(),
-        state: State::Running,
-        reason: None,
-        created_at: String::new(),
-        changed_at: String::new(),
-        tick: 0,
-        trials_done: 0,
-    }
-}
-
-fn header(row: &SessionRow) -> LogHeader {
-    LogHeader {
-        experiment: row.experiment.clone(),
-        seed: row.seed,
-        settings: row.settings.clone(),
-        trials: row.trials,
-        build: row.build.clone(),
-        world_text: row.world_text.clone(),
-    }
 }

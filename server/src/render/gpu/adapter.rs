@@ -24,6 +24,9 @@ pub fn gpu_available() -> bool {
 
 /// The best adapter of the kind asked for. OpenGL is tried only where Vulkan has none.
 pub(super) fn find(choice: AdapterChoice) -> Result<Adapter, RenderError> {
+    if choice == AdapterChoice::Hardware && !shows_hardware() {
+        return Err(none_fits(&[]));
+    }
     let mut found = Vec::new();
     for backends in [wgpu::Backends::VULKAN, wgpu::Backends::GL] {
         let mut adapters = adapters(backends);
@@ -35,6 +38,13 @@ pub(super) fn find(choice: AdapterChoice) -> Result<Adapter, RenderError> {
         }
     }
     Err(none_fits(&found))
+}
+
+/// Whether the kernel shows graphics hardware at all. Where it does not, drivers are better left
+/// alone: loading a simulated one costs 100 MB and Mesa writes complaints to standard error.
+fn shows_hardware() -> bool {
+    let nodes = ["/dev/dri", "/dev/nvidiactl", "/dev/dxg"];
+    !cfg!(target_os = "linux") || nodes.iter().any(|node| std::path::Path::new(node).exists())
 }
 
 fn adapters(backends: wgpu::Backends) -> Vec<Adapter> {

@@ -97,9 +97,9 @@ impl Actor {
 
     pub(super) fn step(&mut self) -> Result<(), ControlError> {
         self.prepare()?;
+        self.say("operator", "Stepped one tick");
         self.take_tick()?;
         self.lab.count_ticks(1);
-        self.say("operator", "Stepped one tick");
         if self.condition.state == State::Finished { Ok(()) } else { self.hold() }
     }
 
@@ -131,7 +131,7 @@ impl Actor {
         self.tick = None;
         self.neurons = Arc::default();
         self.paths = Paths::default();
-        self.tell();
+        self.untold_trials.clear();
         self.feed.rewind(0);
         self.session.count([]);
         self.session.tick = 0;

@@ -16,13 +16,14 @@ impl Actor {
 
     /// Tells viewers everything at once.
     pub(super) fn show(&mut self) {
-        self.session.controls = self.condition.controls().iter().map(|c| (*c).to_owned()).collect();
+        self.session.controls =
+            self.condition.controls().iter().map(|control| (*control).to_owned()).collect();
         self.look_at_neurons();
-        self.publish();
-        self.tell();
-        self.feed.say_state(&self.session);
+        let news = self.news(true);
+        self.publish(news);
     }
 
+    /// Shows the present from time to time, and tells of trials even less often.
     pub(super) fn publish_when_due(&mut self) {
         let watched = self.feed.viewers() > 0;
         let every = SNAPSHOT_EVERY[usize::from(!watched)];
@@ -32,27 +33,29 @@ impl Actor {
         if watched {
             self.look_at_neurons();
         }
-        self.publish();
-        if !self.untold_trials.is_empty() && self.told.elapsed() >= EVENTS_EVERY {
-            self.tell();
-            self.feed.say_state(&self.session);
-        }
+        let due = !self.untold_trials.is_empty() && self.told.elapsed() >= EVENTS_EVERY;
+        let news = if due { self.news(true) } else { News::default() };
+        self.publish(news);
     }
 
-    pub(super) fn publish(&mut self) {
+    fn publish(&mut self, news: News) {
         self.published = Instant::now();
-        self.feed.publish(Snapshot {
+        let snapshot = Snapshot {
             session: self.session.clone(),
             tick: self.tick.clone(),
             neurons: self.neurons.clone(),
             paths: self.paths.clone(),
-        });
+        };
+        self.feed.publish(snapshot, news);
     }
 
-    pub(super) fn tell(&mut self) {
+    pub(super) fn news(&mut self, state: bool) -> News {
         self.told = Instant::now();
-        self.feed.say_trials(std::mem::take(&mut self.untold_trials));
-        self.feed.say_log(std::mem::take(&mut self.untold_lines));
+        News {
+            trials: std::mem::take(&mut self.untold_trials),
+            log: std::mem::take(&mut self.untold_lines),
+            state,
+        }
     }
 
     pub(super) fn look_at_neurons(&mut self) {

@@ -10,7 +10,7 @@ use tokio::sync::oneshot;
 
 use crate::catalog::FieldError;
 use crate::clock;
-use crate::session::feed::{Feed, Snapshot};
+use crate::session::feed::{Feed, News, Snapshot};
 use crate::session::lab::Lab;
 use crate::session::pace::Pace;
 use crate::session::paths::Paths;
@@ -47,6 +47,9 @@ pub(in crate::session) enum Command {
     Flush(oneshot::Sender<()>),
     /// The server ends.
     Close(oneshot::Sender<()>),
+    /// A test wants to see what a mistake in this program does.
+    #[cfg(test)]
+    Panic,
 }
 
 /// Why a control did not happen.
@@ -232,6 +235,8 @@ impl Actor {
                 self.close();
                 let _ = reply.send(());
             }
+            #[cfg(test)]
+            Command::Panic => panic!("a mistake"),
         }
     }
 }

@@ -143,6 +143,18 @@ fn a_queued_session_that_never_started_stays_queued() {
 }
 
 #[test]
+fn one_unreadable_log_does_not_keep_the_others_from_being_served() {
+    let (_folder, store) = store();
+    fs::write(store.log_path(ID), "not a log").expect("writable");
+    let left = killed(&store);
+    let reopened = Store::open(left.path()).expect("the folder opens");
+    let row = reopened.session(ID).expect("readable").expect("there");
+    assert_eq!(row.state, State::Interrupted);
+    let reason = row.reason.unwrap_or_default();
+    assert!(reason.contains("is not a Sonarium log"), "{reason}");
+}
+
+#[test]
 fn recovery_rebuilds_the_index_the_writer_made() {
     let (_folder, store) = store();
     write_log(&store, &run(60), 24);

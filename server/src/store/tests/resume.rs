@@ -76,3 +76,13 @@ fn a_reset_puts_the_log_aside_and_starts_from_nothing() {
     }
     assert_eq!(store.reset(ID), Ok(None), "nothing to put aside");
 }
+
+#[test]
+fn names_of_no_session_reach_no_file() {
+    let (_folder, store) = store();
+    let id = "../../elsewhere";
+    let missing = StoreError::NoSession { id: id.into() };
+    assert_eq!(store.reset(id), Err(missing.clone()));
+    assert_eq!(store.recover(id), Err(missing.clone()));
+    assert_eq!(resume_log(&store, id, 1).map(drop), Err(missing));
+}
