@@ -3,6 +3,7 @@
 //! `WEB_DIST` names a folder that already holds a built site; then neither Node nor npm is needed.
 #![allow(clippy::print_stdout, reason = "a build script talks to cargo on stdout")]
 
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::time::SystemTime;
@@ -72,7 +73,7 @@ fn git(repository: &Path, arguments: &[&str]) -> Option<String> {
     output.status.success().then(|| text.trim().to_owned())
 }
 
-/// Folder of the built site; builds it when its sources are newer.
+/// Folder of the built site; builds it when it was built from other sources.
 fn site(web: &Path) -> Result<PathBuf, String> {
     println!("cargo::rerun-if-env-changed=WEB_DIST");
     if let Some(built) = env::var_os("WEB_DIST") {
@@ -82,12 +83,13 @@ fn site(web: &Path) -> Result<PathBuf, String> {
         watch(&web.join(source));
     }
     let out = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set; run cargo")?);
-    let site = out.join("site");
-    let sources = PAGE_SOURCES.iter().filter_map(|source| newest(&web.join(source))).max();
-    if modified(&site.join("index.html")) <= sources {
+    let (site, stamp) = (out.join("site"), out.join("site.stamp"));
+    let sources = fingerprint(web).to_string();
+    if fs::read_to_string(&stamp).ok().as_ref() != Some(&sources) {
         check_node()?;
         install(web)?;
         build(web, &site)?;
+        fs::write(&stamp, sources).map_err(|error| format!("{}: {error}", stamp.display()))?;
     }
     Ok(site)
 }
@@ -152,10 +154,27 @@ fn npm(web: &Path, arguments: &[&str]) -> Result<(), String> {
     Err(format!("`npm {}` failed in web/; its output stands below.", arguments.join(" ")))
 }
 
-/// Newest modification below a path.
-fn newest(path: &Path) -> Option<SystemTime> {
-    let Ok(entries) = fs::read_dir(path) else { return modified(path) };
-    entries.flatten().filter_map(|entry| newest(&entry.path())).max()
+/// A number that changes with any name or content among the page's sources. Times would not do:
+/// several checkouts may share one target folder.
+fn fingerprint(web: &Path) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for source in PAGE_SOURCES {
+        hash_tree(&web.join(source), source, &mut hasher);
+    }
+    hasher.finish()
+}
+
+fn hash_tree(path: &Path, name: &str, hasher: &mut DefaultHasher) {
+    name.hash(hasher);
+    let Ok(entries) = fs::read_dir(path) else {
+        return fs::read(path).unwrap_or_default().hash(hasher);
+    };
+    let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    paths.sort();
+    for path in paths {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        hash_tree(&path, &name, hasher);
+    }
 }
 
 fn modified(path: &Path) -> Option<SystemTime> {
