@@ -45,6 +45,14 @@ pub(super) async fn body_size(request: Request, next: Next) -> Response {
     next.run(request).await
 }
 
+/// Refuses changes that a page of another origin asks for; a browser would send them.
+pub(super) async fn same_origin(request: Request, next: Next) -> Response {
+    match check_origin(request.headers()) {
+        Err(refusal) if !request.method().is_safe() => refusal.into_response(),
+        _ => next.run(request).await,
+    }
+}
+
 /// Refuses a page of another origin, which a browser would let open a WebSocket here.
 pub(super) fn check_origin(headers: &HeaderMap) -> Result<(), Failure> {
     let Some(origin) = headers.get(header::ORIGIN) else { return Ok(()) };
@@ -56,7 +64,7 @@ pub(super) fn check_origin(headers: &HeaderMap) -> Result<(), Failure> {
     Err(Failure::new(
         StatusCode::FORBIDDEN,
         "foreign-origin",
-        "Another page may not open the stream",
+        "Another page may not do this",
         format!("the origin is `{origin}`; open the page of this server"),
     ))
 }

@@ -109,6 +109,7 @@ pub fn router(app: App, address: SocketAddr) -> Router {
         .merge(crate::site::router())
         .layer(DefaultBodyLimit::max(LARGEST_BODY))
         .layer(middleware::from_fn(guard::body_size))
+        .layer(middleware::from_fn(guard::same_origin))
         .layer(CompressionLayer::new().compress_when(not_packed_twice))
         .layer(CatchPanicLayer::custom(panicked));
     if address.ip().is_loopback() {

@@ -96,12 +96,17 @@ impl From<StoreError> for Failure {
             StoreError::LogExists { .. } | StoreError::LogTooShort { .. } => {
                 Self::conflict(error.to_string())
             }
-            StoreError::Folder { .. } | StoreError::File { .. } => Self::new(
-                StatusCode::INSUFFICIENT_STORAGE,
-                "storage",
-                "The data folder refused",
-                error.to_string(),
-            ),
+            StoreError::Index { reason, .. } if !reason.contains("full") => {
+                Self::internal(error.to_string())
+            }
+            StoreError::Folder { .. } | StoreError::File { .. } | StoreError::Index { .. } => {
+                Self::new(
+                    StatusCode::INSUFFICIENT_STORAGE,
+                    "storage",
+                    "The data folder refused",
+                    error.to_string(),
+                )
+            }
             _ => Self::internal(error.to_string()),
         }
     }

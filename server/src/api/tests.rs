@@ -193,11 +193,16 @@ async fn a_body_over_one_mebibyte_is_refused() {
 }
 
 #[tokio::test]
-async fn a_foreign_host_or_body_is_refused() {
+async fn a_foreign_host_origin_or_body_is_refused() {
     let house = House::new();
     let foreign = Request::get("/api/v1/sessions").header(header::HOST, "example.org");
     let answer = house.send(foreign.body(Body::empty()).expect("a request")).await;
     assert_eq!(problem(&answer), (421, Json::Null));
+    let elsewhere = Request::post("/api/v1/sessions")
+        .header(header::HOST, "localhost:7380")
+        .header(header::ORIGIN, "http://example.org");
+    let answer = house.send(elsewhere.body(Body::from("{}")).expect("a request")).await;
+    assert_eq!(problem(&answer), (403, Json::Null));
     let form = Request::post("/api/v1/sessions").header(header::CONTENT_TYPE, "text/plain");
     let answer = house.send(form.body(Body::from("{}")).expect("a request")).await;
     assert_eq!(problem(&answer), (415, Json::Null));

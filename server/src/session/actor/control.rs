@@ -1,6 +1,16 @@
 //! What the controls do.
 
-use super::*;
+use std::sync::Arc;
+use std::time::Instant;
+
+use super::{Actor, Command, ControlError, Until};
+use crate::session::pace::Pace;
+use crate::session::paths::Paths;
+use crate::session::prepare::Prepared;
+use crate::session::slots::Permit;
+use crate::session::state::Control;
+use crate::store::{LogRecord, LogWriter, StoreError};
+use crate::wire::{NamedSpeed, Speed, State, StepUnit};
 
 impl Actor {
     pub(super) fn control(&mut self, control: Control) -> Result<(), ControlError> {
@@ -179,8 +189,27 @@ impl Actor {
         if let Err(error) = self.finish_log() {
             tracing::error!("the log of session {} could not be closed: {error}", self.session.id);
         }
+        self.believe_the_log();
         if let Err(error) = self.enter(State::Failed, Some(reason)) {
             tracing::error!("session {}: {error}", self.session.id);
+        }
+    }
+
+    /// What did not reach the disk did not happen: it is gone for a resume and for every reader.
+    fn believe_the_log(&mut self) {
+        let (store, id) = (self.lab.store(), &self.session.id);
+        if let Ok(checkpoint) = store.checkpoint(id) {
+            self.condition.checkpoint = checkpoint.is_some();
+        }
+        let Ok(Some(row)) = store.session(id) else { return };
+        if row.tick < self.session.tick {
+            let told = usize::try_from(row.trials_done).unwrap_or(usize::MAX);
+            let before = self.feed.trials().len();
+            self.untold_trials.truncate(told.saturating_sub(before));
+            let kept = self.feed.rewind(row.trials_done);
+            let untold = self.untold_trials.iter();
+            self.session.count(kept.iter().map(|trial| &**trial).chain(untold));
+            self.session.tick = row.tick;
         }
     }
 

@@ -1,6 +1,13 @@
 //! What the actor shows: state, snapshot, events.
 
-use super::*;
+use std::sync::Arc;
+use std::time::Instant;
+
+use super::{Actor, ControlError, EVENTS_EVERY, SNAPSHOT_EVERY};
+use crate::clock;
+use crate::session::feed::{News, Snapshot};
+use crate::store::LogRecord;
+use crate::wire::{LogEntry, Session, State};
 
 impl Actor {
     /// Shows and stores a new state.

@@ -9,20 +9,15 @@ use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
 
 use crate::catalog::FieldError;
-use crate::clock;
-use crate::session::feed::{Feed, News, Snapshot};
+use crate::session::feed::Feed;
 use crate::session::lab::Lab;
 use crate::session::pace::Pace;
 use crate::session::paths::Paths;
-use crate::session::prepare::Prepared;
 use crate::session::run::Run;
 use crate::session::slots::Permit;
 use crate::session::state::{Condition, Control, Refused};
-use crate::store::{LogRecord, LogWriter, StoreError};
-use crate::wire::{
-    Ack, LogEntry, NamedSpeed, NeuronView, Session, Speed, State, StepUnit, TickView, Trial,
-    TrialEndView,
-};
+use crate::store::{LogWriter, StoreError};
+use crate::wire::{Ack, LogEntry, NeuronView, Session, State, TickView, Trial};
 
 /// Longest time between two looks at the commands.
 const ATTENTION: Duration = Duration::from_millis(4);

@@ -1,6 +1,10 @@
 //! Taking a control step.
 
-use super::*;
+use std::sync::Arc;
+
+use super::{Actor, ControlError, Until};
+use crate::store::LogRecord;
+use crate::wire::{Session, State, Trial, TrialEndView};
 
 impl Actor {
     /// One control step into the log and the snapshot.
