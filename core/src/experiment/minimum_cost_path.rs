@@ -380,6 +380,7 @@ impl MinimumCostPath {
             replaced: changes.replaced,
             proposed: changes.proposed,
             forgotten: changes.forgotten,
+            recentred: changes.recentred,
         }
     }
 }

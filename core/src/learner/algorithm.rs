@@ -85,6 +85,7 @@ pub struct Learner {
     past: Option<Past>,
     path: Vec<PathStep>,
     born: Vec<(usize, NeuronId)>,
+    recentred: Vec<NeuronId>,
     waiting: Option<(Past, PathStep)>,
     step: u32,
 }
@@ -123,6 +124,7 @@ impl Learner {
             past: None,
             path: Vec::new(),
             born: Vec::new(),
+            recentred: Vec::new(),
             waiting: None,
             step: 0,
         }
@@ -186,7 +188,11 @@ impl Learner {
 
     /// Closes the trial and cools the temperature; `rng` is the exploration stream of the next trial.
     pub(crate) fn end_trial(&mut self, reached_goal: bool, rng: ChaCha8Rng) -> Changes {
-        let changes = close(&self.settings, &mut self.memory, &self.path, &self.born, reached_goal);
+        let mut changes =
+            close(&self.settings, &mut self.memory, &self.path, &self.born, reached_goal);
+        changes.recentred = std::mem::take(&mut self.recentred);
+        changes.recentred.sort_unstable();
+        changes.recentred.dedup();
         self.memory.temperature_deg =
             annealing::cooled(&self.settings, self.memory.temperature_deg);
         self.memory.trials += 1;
@@ -379,6 +385,7 @@ impl Learner {
     fn add(&mut self, network: usize, centre: Input, start: Start, birth: Birth) -> Acting {
         let id = self.memory.add(network, centre, start, birth);
         self.born.push((network, id));
+        self.recentred.push(id);
         Acting {
             network,
             neuron: id,
@@ -409,6 +416,9 @@ impl Learner {
             return self.split(&past, delta, present.utility);
         }
         let update = adapt(&self.settings, neuron, &past.situation, delta, present.utility);
+        if update.centre_shift > 0.0 {
+            self.recentred.push(past.neuron);
+        }
         Adaptation::Updated(update)
     }
 

@@ -302,4 +302,6 @@ pub struct TrialEnd {
     pub proposed: Vec<Change>,
     /// Neurons deleted (addition D3).
     pub forgotten: Vec<NeuronId>,
+    /// Neurons whose centre was set or moved during the trial, in the order of their numbers.
+    pub recentred: Vec<NeuronId>,
 }

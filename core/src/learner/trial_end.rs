@@ -45,6 +45,8 @@ pub(crate) struct Changes {
     pub(crate) proposed: Vec<Change>,
     /// D3.
     pub(crate) forgotten: Vec<NeuronId>,
+    /// Eq. (5.25), or added.
+    pub(crate) recentred: Vec<NeuronId>,
 }
 
 /// Closes a trial in memory.

@@ -11,6 +11,7 @@ use tokio::sync::oneshot;
 use super::actor::{Actor, Command, ControlError};
 use super::feed::Feed;
 use super::history;
+use super::run::Run;
 use super::slots::Slots;
 use super::state::{Control, name};
 use crate::catalog::{Catalog, FieldError, Plan};
@@ -188,10 +189,10 @@ impl Lab {
         {
             return Ok(Some(neuron));
         }
-        let last = self.session(id)?.trials_done;
-        let end = self.store().trial_end(id, last)?;
-        let neurons = end.map(|end| end.neurons).unwrap_or_default();
-        Ok(neurons.into_iter().find(|neuron| neuron.id == number))
+        // A session at rest is as its last checkpoint left it.
+        let plan = self.plan(id)?;
+        let Some(stored) = self.store().checkpoint(id)? else { return Ok(None) };
+        Ok(Run::resume(&plan, &stored).ok().and_then(|run| run.neuron(number)))
     }
 
     /// Brings the log of a session under way up to the present, before it is read.

@@ -85,7 +85,7 @@ impl Names {
         }
     }
 
-    /// A neuron with its centre, as the log keeps it.
+    /// A neuron with its centre.
     #[must_use]
     pub fn whole_neuron(&self, neuron: &NeuronRef<'_>) -> NeuronView {
         NeuronView { centre: neuron.centre.to_vec(), ..self.neuron(neuron) }
@@ -128,7 +128,16 @@ impl Names {
             replaced: end.replaced.iter().map(in_degrees).collect(),
             proposed: end.proposed.iter().map(ChangeView::from).collect(),
             forgotten: end.forgotten.iter().map(|id| id.0).collect(),
-            neurons: neurons.map(|neuron| self.whole_neuron(&neuron)).collect(),
+            neurons: neurons.map(|neuron| self.neuron_after(end, &neuron)).collect(),
+        }
+    }
+
+    /// A neuron as the log keeps it: its centre stands where the trial set or moved it, so that a
+    /// long log does not repeat what has not changed.
+    fn neuron_after(&self, end: &TrialEnd, neuron: &NeuronRef<'_>) -> NeuronView {
+        match end.recentred.binary_search(&neuron.id) {
+            Ok(_) => self.whole_neuron(neuron),
+            Err(_) => self.neuron(neuron),
         }
     }
 }

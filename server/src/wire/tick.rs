@@ -194,7 +194,8 @@ pub struct NeuronView {
     pub id: u32,
     /// Region whose network it belongs to.
     pub region: String,
-    /// Centre c, 32 inputs: 24 normalised sonars, 8 distance units. Left out of the live stream.
+    /// Centre c, 32 inputs: 24 normalised sonars, 8 distance units. Left out of the live stream, and
+    /// at the end of a trial that did not change it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub centre: Vec<f64>,
     /// Prototypical action p, degrees.
@@ -243,7 +244,7 @@ pub struct TrialEndView {
     pub proposed: Vec<ChangeView>,
     /// Neurons deleted (addition D3).
     pub forgotten: Vec<u32>,
-    /// All neurons after the trial, centres included.
+    /// All neurons after the trial; centres only where the trial set or moved them.
     pub neurons: Vec<NeuronView>,
 }
 

@@ -398,7 +398,8 @@ export type NeuronView = {
 id: number,
 /** Region whose network it belongs to. */
 region: string,
-/** Centre c, 32 inputs: 24 normalised sonars, 8 distance units. Left out of the live stream. */
+/** Centre c, 32 inputs: 24 normalised sonars, 8 distance units. Left out of the live stream, and
+ * at the end of a trial that did not change it. */
 centre?: Array<number>,
 /** Prototypical action p, degrees. */
 prototypical_deg: number,
@@ -442,7 +443,7 @@ replaced: Array<ChangeView>,
 proposed: Array<ChangeView>,
 /** Neurons deleted (addition D3). */
 forgotten: Array<number>,
-/** All neurons after the trial, centres included. */
+/** All neurons after the trial; centres only where the trial set or moved them. */
 neurons: Array<NeuronView>, };
 
 /** A value changed at the end of a trial. */
