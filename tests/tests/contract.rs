@@ -166,6 +166,41 @@ fn bad_requests_get_problem_details_and_the_server_goes_on() {
 }
 
 #[test]
+fn a_world_of_ones_own_is_used_or_refused_with_the_place_at_fault() {
+    let laboratory = root().join("assets/worlds/laboratory.toml");
+    let laboratory = std::fs::read_to_string(laboratory).expect("the laboratory is there");
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let worlds = folder.path().join("worlds");
+    std::fs::create_dir(&worlds).expect("can be made");
+    for (name, from, to) in [
+        ("mine", "title = \"Laboratory\"", "title = \"My own\""),
+        ("walled", "[home]\nx = 0.0", "[home]\nx = 5.5"),
+        ("unreachable", "[[3.5, 0.3], [3.75, 0.3]", "[[3.5, -1.0], [3.75, -1.0]"),
+        ("broken", "[home]", "[home"),
+    ] {
+        assert!(laboratory.contains(from), "{from}");
+        let text = laboratory
+            .replace(from, to)
+            .replace("name = \"laboratory\"", &format!("name = \"{name}\""));
+        std::fs::write(worlds.join(format!("{name}.toml")), text).expect("can be written");
+    }
+    let server = Server::start_on(folder.path());
+    let create = |world: &str| {
+        let settings = json!({ "world": world });
+        server.post("sessions", &json!({"experiment": EXPERIMENT, "settings": settings}))
+    };
+    assert_eq!(create("mine").0, 201);
+    for (world, word) in [("walled", "home"), ("unreachable", "goal"), ("broken", "line")] {
+        let (status, problem) = create(world);
+        assert_eq!((status, &problem["field"]), (422, &json!("settings.world")), "{problem}");
+        assert!(problem["detail"].to_string().contains(word), "{problem}");
+    }
+    let (_, experiments) = server.get("experiments");
+    let listed = experiments[0]["worlds"].to_string();
+    assert!(listed.contains("My own") && !listed.contains("walled"), "{listed}");
+}
+
+#[test]
 fn every_route_of_the_contract_is_in_the_openapi_document() {
     let server = Server::start();
     let (status, _, body) = server.download("/api/openapi.json");
