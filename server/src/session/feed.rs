@@ -10,8 +10,8 @@ use tokio::sync::watch;
 
 use super::paths::Paths;
 use crate::wire::{
-    CurvePoint, Hello, LogEntry, NeuronView, STREAM_VERSION, ServerMessage, Session, TickView,
-    Trial, WorldView,
+    CurvePoint, HELLO_TRIALS, Hello, LogEntry, NeuronView, STREAM_VERSION, ServerMessage, Session,
+    TickView, Trial, WorldView,
 };
 
 /// Events a late client can still catch up on.
@@ -134,7 +134,8 @@ impl Feed {
         let (seq, snapshot, trials, log) = {
             let inner = self.lock();
             let log: Vec<LogEntry> = inner.log.iter().cloned().collect();
-            (inner.seq, inner.snapshot.clone(), inner.trials.clone(), log)
+            let newest = inner.trials.len().saturating_sub(HELLO_TRIALS);
+            (inner.seq, inner.snapshot.clone(), inner.trials[newest..].to_vec(), log)
         };
         Hello {
             version: STREAM_VERSION,

@@ -8,6 +8,9 @@ use super::{NeuronView, Session, TickView, Trial};
 /// Version of the stream, in `hello`.
 pub const STREAM_VERSION: u32 = 1;
 
+/// Trials in `hello`; all of them are at `sessions/{id}/trials`.
+pub const HELLO_TRIALS: usize = 1000;
+
 /// A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`);
 /// `tick`, `depths` and `neurons` are samples of the present and repeat the number of the last event.
 /// Arena pictures are binary frames: whole PNG files.
@@ -96,7 +99,7 @@ pub struct Hello {
     pub session: Session,
     /// The world it runs in.
     pub world: WorldView,
-    /// All trials so far.
+    /// The newest trials, at most [`HELLO_TRIALS`].
     pub trials: Vec<Trial>,
     /// All neurons, without their centres.
     pub neurons: Vec<NeuronView>,

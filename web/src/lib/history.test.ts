@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 
-import { addLog, addTrials, LOG_LINES, trialsOf } from './history';
+import { addLog, addTrials, LOG_LINES, shownOf, TRIALS_KEPT, trialsOf } from './history';
 import { sampleSession, sampleTrial } from './sample';
 
 const trials = (...numbers: number[]) => numbers.map((number) => sampleTrial(number));
@@ -10,6 +10,16 @@ it('adds trials in order and none twice', () => {
   expect(numbers(addTrials(trials(1, 2), trials(3, 4)))).toEqual([1, 2, 3, 4]);
   expect(numbers(addTrials(trials(1, 2, 3), trials(2, 3, 4)))).toEqual([1, 2, 3, 4]);
   expect(numbers(addTrials(trials(1), []))).toEqual([1]);
+});
+
+it('keeps the newest trials and says how many of all', () => {
+  const many = trials(...Array.from({ length: TRIALS_KEPT }, (_, index) => index + 1));
+  const session = sampleSession({ trials_done: TRIALS_KEPT + 2 });
+  expect(shownOf(session, many)).toBe('');
+  const next = addTrials(many, trials(TRIALS_KEPT + 1, TRIALS_KEPT + 2));
+  expect([next.length, next[0]?.trial, next.at(-1)?.trial]).toEqual([TRIALS_KEPT, 3, 1002]);
+  expect(shownOf(session, next)).toBe('newest 1000 of 1002 trials, all are in the CSV');
+  expect(trialsOf(session, next)).toBe(next);
 });
 
 it('takes back the trials of a session that was reset', () => {

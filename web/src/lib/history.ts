@@ -5,19 +5,29 @@ import type { LogEntry, Session, Trial } from './protocol';
 /** Lines of the event log kept in the page. */
 export const LOG_LINES = 500;
 
+/** Trials kept in the page, the newest; a longer history is in the downloads. */
+export const TRIALS_KEPT = 1000;
+
 /** Trials with new ones added; a trial told twice stands once, as told last. */
 export function addTrials(trials: Trial[], added: Trial[]): Trial[] {
   const [first, last] = [added[0], trials.at(-1)];
   if (!first) return trials;
-  if (!last || last.trial < first.trial) return trials.concat(added);
-  const kept = trials.filter((trial) => trial.trial < first.trial);
-  return [...kept, ...added];
+  const repeats = last !== undefined && last.trial >= first.trial;
+  const kept = repeats ? trials.filter((trial) => trial.trial < first.trial) : trials;
+  return kept.concat(added).slice(-TRIALS_KEPT);
 }
 
 /** Trials the session still stands by; a reset takes them back. */
 export function trialsOf(session: Session, trials: Trial[]): Trial[] {
-  if (session.trials_done >= trials.length) return trials;
+  if (session.trials_done >= (trials.at(-1)?.trial ?? 0)) return trials;
   return trials.filter((trial) => trial.trial <= session.trials_done);
+}
+
+/** How many of the session's trials are shown, when it is not all. */
+export function shownOf(session: Session, trials: Trial[]): string {
+  const first = trials[0]?.trial ?? 1;
+  if (first === 1) return '';
+  return `newest ${trials.length} of ${session.trials_done} trials, all are in the CSV`;
 }
 
 /** The newest lines of the log. */

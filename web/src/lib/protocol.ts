@@ -510,7 +510,7 @@ seq: number,
 session: Session,
 /** The world it runs in. */
 world: WorldView,
-/** All trials so far. */
+/** The newest trials, at most [`HELLO_TRIALS`]. */
 trials: Array<Trial>,
 /** All neurons, without their centres. */
 neurons: Array<NeuronView>,
