@@ -146,13 +146,14 @@ fn every_tick_adds_up() {
         last_tick = tick.tick;
         total += tick.outcome.reinforcement.total();
         assert!((tick.total_reinforcement - total).abs() < 1e-9, "R so far, tick {}", tick.tick);
-        if tick.source == ActionSource::Network {
-            let alpha = tick.prototypical_rad + tick.exploration.xi_deg.to_radians();
-            assert!(wrap_angle(alpha - tick.action_rad).abs() < 1e-12, "Eq. (5.15)");
-            let heading = tick.pose.heading_rad + tick.rotation_rad;
-            assert!(wrap_angle(heading - tick.action_rad).abs() < 1e-12, "the action frame");
+        let decision = &tick.decision;
+        if decision.source == ActionSource::Network {
+            let alpha = decision.prototypical_rad + decision.exploration.xi_deg.to_radians();
+            assert!(wrap_angle(alpha - decision.action_rad).abs() < 1e-12, "Eq. (5.15)");
+            let heading = tick.pose.heading_rad + decision.rotation_rad;
+            assert!(wrap_angle(heading - decision.action_rad).abs() < 1e-12, "the action frame");
         }
-        if let Adaptation::Updated(update) = tick.adaptation {
+        if let Adaptation::Updated(update) = decision.adaptation {
             let delta = update.reinforcement + 0.7 * update.present_utility - update.utility_before;
             assert!((update.delta - delta).abs() < 1e-12, "Eq. (5.19)");
             let after = update.utility_before + update.utility_rate * update.delta;
@@ -170,7 +171,7 @@ fn a_situation_that_turns_out_far_better_gets_its_own_neuron() {
     let mut experiment = MinimumCostPath::new(laboratory(), &settings, 2).expect("fits");
     let mut splits = Vec::new();
     run(&mut experiment, 3, |tick, _| {
-        if let Adaptation::Split { past, delta, added } = tick.adaptation {
+        if let Adaptation::Split { past, delta, added } = tick.decision.adaptation {
             assert!(delta > 1.0 && past != added, "tick {}", tick.tick);
             splits.push((added, tick.tick, delta));
         }
@@ -190,7 +191,7 @@ fn back_tracking_gives_the_reinforcement_to_the_goal() {
     let mut path = Vec::new();
     loop {
         let (tick, end) = experiment.step();
-        path.push((tick.neuron, tick.outcome.reinforcement.total()));
+        path.push((tick.decision.neuron, tick.outcome.reinforcement.total()));
         if let Some(end) = end {
             assert!(end.record.reached_goal && end.record.record, "the first success is a record");
             break;

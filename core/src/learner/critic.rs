@@ -80,29 +80,6 @@ fn shift_centre(neuron: &mut Neuron, input: &Input, rate: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::experiment::Settings;
-    use crate::geometry::Pose;
-    use crate::learner::{Birth, BirthCause, NeuronId, Origin};
-
-    fn neuron(utility: f64) -> Neuron {
-        let birth = Birth {
-            trial: 1,
-            step: 1,
-            tick: 1,
-            cause: BirthCause::Empty,
-            origin: Origin::Reflex,
-            pose: Pose::default(),
-        };
-        Neuron {
-            id: NeuronId(0),
-            centre: [0.0; 32],
-            prototypical_rad: 0.0,
-            mean_deg: 0.0,
-            utility,
-            pending: false,
-            wins: 0,
-            birth,
-        }
-    }
 
     #[test]
     fn reward_and_penalty_use_their_own_rates() {
@@ -113,7 +90,7 @@ mod tests {
         for (u_i, u_j, delta, utility, mean_deg, shift) in
             [(-4.0, -2.0, 1.6, -3.2, 0.16, 0.01), (0.0, -2.0, -2.4, -0.12, -0.024, 0.001)]
         {
-            let mut neuron = neuron(u_i);
+            let mut neuron = Neuron::example(0, [0.0; 32], u_i);
             let found = td_error(&settings, past.reinforcement, u_i, u_j);
             let update = adapt(&settings, &mut neuron, &past, found, u_j);
             assert!((update.delta - delta).abs() < 1e-12, "{update:?}");
@@ -128,7 +105,7 @@ mod tests {
     fn the_band_leaves_the_mean_to_the_end_of_the_trial() {
         let settings = LearnerSettings::from(&Settings::default());
         let past = PastSituation { input: [1.0; 32], eligibility: 0.5, reinforcement: -1.0 };
-        let mut neuron = neuron(-4.0);
+        let mut neuron = Neuron::example(0, [0.0; 32], -4.0);
         let update = adapt(&settings, &mut neuron, &past, 1.6, -2.0);
         assert_eq!((update.mean_after_deg, update.eligibility), (0.0, 0.0));
     }

@@ -18,22 +18,34 @@ pub struct Observation {
     pub contact: Contact,
 }
 
-/// What the learner decided, with its reasons; the fields are those of [`super::Tick`].
+/// What the learner decided, with every number that led to it.
 #[derive(Clone, Debug, PartialEq)]
-#[expect(missing_docs, reason = "each is documented in Tick")]
 pub struct Decision {
+    /// Distance to the goal as believed, metres.
     pub goal_distance_m: f64,
+    /// Bearing of the goal from the heading as believed, radians.
     pub goal_bearing_rad: f64,
+    /// The nearest neuron of the region's network, if it has any.
     pub winner: Option<Winner>,
+    /// The neuron added at this situation, if any.
     pub born: Option<NeuronId>,
+    /// The reflex, when it was asked.
     pub reflex: Option<ReflexTrace>,
+    /// What happened to the past neuron.
     pub adaptation: Adaptation,
+    /// The neuron in charge; none when learning is off.
     pub neuron: Option<NeuronId>,
+    /// Its prototypical action `p`, radians, in the frame of the setting `learner.action_frame`.
     pub prototypical_rad: f64,
+    /// Its utility `u`; none while it is pending.
     pub utility: Option<f64>,
+    /// The stochastic unit.
     pub exploration: Exploration,
+    /// Who chose.
     pub source: ActionSource,
+    /// `α`, radians, in the frame of the setting `learner.action_frame`, Eq. (5.15).
     pub action_rad: f64,
+    /// Rotation the robot executes before it advances, radians.
     pub rotation_rad: f64,
 }
 

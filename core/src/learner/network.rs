@@ -141,33 +141,35 @@ fn squared_distance(x: &Input, centre: &Input, enough: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use proptest::prelude::*;
-
-    use super::*;
-    use crate::geometry::Pose;
-    use crate::learner::{BirthCause, Origin};
-
-    fn neuron(id: u32, centre: Input) -> Neuron {
+impl Neuron {
+    /// A neuron for tests: it does nothing in particular.
+    pub(super) fn example(id: u32, centre: Input, utility: f64) -> Self {
         let birth = Birth {
             trial: 1,
             step: 1,
             tick: 1,
-            cause: BirthCause::Empty,
-            origin: Origin::Reflex,
-            pose: Pose::default(),
+            cause: super::BirthCause::Empty,
+            origin: super::Origin::Reflex,
+            pose: crate::geometry::Pose::default(),
         };
-        Neuron {
+        Self {
             id: NeuronId(id),
             centre,
             prototypical_rad: 0.0,
             mean_deg: 0.0,
-            utility: 0.0,
+            utility,
             pending: false,
             wins: 0,
             birth,
         }
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
 
     fn input() -> impl Strategy<Value = Input> {
         proptest::array::uniform32(0.0..1.0f64)
@@ -178,7 +180,7 @@ mod tests {
         fn the_winner_is_the_nearest(x in input(), centres in proptest::collection::vec(input(), 1..20)) {
             let mut network = Network::default();
             for (id, centre) in centres.iter().enumerate() {
-                network.add(neuron(id as u32, *centre));
+                network.add(Neuron::example(id as u32, *centre, 0.0));
             }
             let (winner, squared) = network.winner(&x).expect("a network with neurons");
             let plain = |c: &Input| x.iter().zip(c).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
@@ -193,7 +195,7 @@ mod tests {
         let mut network = Network::default();
         assert!(network.winner(&[0.0; 32]).is_none());
         for id in [2, 5, 9] {
-            network.add(neuron(id, [f64::from(id); 32]));
+            network.add(Neuron::example(id, [f64::from(id); 32], 0.0));
         }
         assert!(network.forget(NeuronId(5)) && !network.forget(NeuronId(5)));
         assert_eq!(network.get(NeuronId(9)).map(|neuron| neuron.id), Some(NeuronId(9)));
