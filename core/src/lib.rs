@@ -2,7 +2,8 @@
 //!
 //! Everything here is a state machine: an observation goes in, a decision comes out, with its
 //! explanation. Time and randomness are parameters; there is no clock, no file, no thread.
-//! Data flows one way: [`world`] → [`robot`] → [`fuzzy`] → [`control`] → [`learner`] → [`experiment`].
+//! Data flows one way: [`world`] → [`robot`] → [`fuzzy`] → [`control`] → [`learner`] → [`experiment`];
+//! [`stats`] judges what came out.
 //!
 //! ```
 //! use std::sync::Arc;
@@ -33,4 +34,5 @@ pub mod learner;
 pub mod rng;
 pub mod robot;
 pub mod settings;
+pub mod stats;
 pub mod world;

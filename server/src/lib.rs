@@ -7,6 +7,7 @@ mod clock;
 mod process;
 pub mod render;
 pub mod report;
+pub mod reproduce;
 pub mod session;
 pub mod site;
 pub mod store;

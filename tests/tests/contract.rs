@@ -74,6 +74,39 @@ fn experiments_names_every_setting_with_default_unit_and_source() {
 }
 
 #[test]
+fn reproduce_prints_one_object_a_target_with_published_beside_ours() {
+    for target in ["table-5.1", "all"] {
+        let run = sonarium(&["reproduce", target, "--json"]);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        assert_eq!(run.stdout.lines().count(), 1, "one target so far");
+        let result: Value = serde_json::from_str(&run.stdout).expect("an object a line");
+        assert_eq!(result["target"], "table-5.1");
+        let rows = result["rows"].as_array().expect("rows");
+        assert_eq!(rows.len(), 21);
+        for row in rows {
+            for field in ["ours", "low", "high"] {
+                assert!(row[field].is_number(), "{field} of {row}");
+            }
+            assert_eq!((&row["n"], row["unit"].is_string()), (&json!(200), true), "{row}");
+            let verdict = row["verdict"].as_str().unwrap_or_default();
+            assert!(["agrees", "differs", "cannot tell"].contains(&verdict), "{row}");
+            assert!(row["reading"].as_str().is_some_and(|reading| reading.contains("Preset")));
+        }
+        assert_eq!(
+            (&rows[2]["name"], &rows[2]["published"]),
+            (&json!("default: number of steps, mean"), &json!(27.7))
+        );
+    }
+    let table = sonarium(&["reproduce", "table-5.1"]).stdout;
+    for words in ["seeds 700000..700199", "95 % interval", "Does not agree:", "cannot tell"] {
+        assert!(table.contains(words), "the table does not say {words}: {table}");
+    }
+    let unknown = sonarium(&["reproduce", "table-9.9"]);
+    assert_eq!(unknown.code, Some(2), "{}", unknown.stderr);
+    assert!(unknown.stderr.contains("`table-5.1`"), "{}", unknown.stderr);
+}
+
+#[test]
 fn a_session_is_created_driven_and_downloaded() {
     let server = Server::start();
     let id =
@@ -217,6 +250,8 @@ fn every_route_of_the_contract_is_in_the_openapi_document() {
         "/sessions/{id}/trials/{trial}/{file}",
         "/sessions/{id}/arena.png",
         "/sessions/{id}/stream",
+        "/reproductions",
+        "/reproductions/{target}",
     ] {
         assert!(!document["paths"][path].is_null(), "{path} is missing");
     }

@@ -9,6 +9,7 @@ mod files;
 mod guard;
 mod openapi;
 mod problem;
+mod reproductions;
 mod sessions;
 mod status;
 mod stream;

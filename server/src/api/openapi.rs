@@ -6,7 +6,7 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 use utoipa_swagger_ui::SwaggerUi;
 
-use super::{App, arena, controls, experiments, files, sessions, stream, ticks};
+use super::{App, arena, controls, experiments, files, reproductions, sessions, stream, ticks};
 
 #[derive(OpenApi)]
 #[openapi(
@@ -48,6 +48,8 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(files::log))
         .routes(routes!(files::session))
         .routes(routes!(files::trial))
+        .routes(routes!(reproductions::list))
+        .routes(routes!(reproductions::one))
         .routes(routes!(stream::open))
 }
 

@@ -6,6 +6,7 @@
 mod bench;
 mod experiments;
 mod output;
+mod reproduce;
 mod run;
 mod serve;
 
@@ -35,6 +36,8 @@ enum Command {
     Serve(serve::Arguments),
     /// Run an experiment without a page
     Run(run::Arguments),
+    /// Compute a table of the thesis again and hold it against what is printed
+    Reproduce(reproduce::Arguments),
     /// List the experiments with their settings
     Experiments(experiments::Arguments),
     /// Measure speed and memory
@@ -65,6 +68,7 @@ pub fn main() -> ExitCode {
         None => serve::serve(&cli.serve),
         Some(Command::Serve(arguments)) => serve::serve(&arguments),
         Some(Command::Run(arguments)) => run::run(&arguments),
+        Some(Command::Reproduce(arguments)) => reproduce::reproduce(&arguments),
         Some(Command::Experiments(arguments)) => experiments::list(&arguments),
         Some(Command::Bench(arguments)) => bench::bench(&arguments),
     };

@@ -4,12 +4,14 @@
 //! generated from these types, and a test fails when it is stale.
 
 mod experiment;
+mod reproduction;
 mod session;
 mod stream;
 mod tick;
 mod typescript;
 
 pub use experiment::*;
+pub use reproduction::*;
 pub use session::*;
 pub use stream::*;
 pub use tick::*;

@@ -36,6 +36,7 @@ fn declarations(config: &Config) -> Vec<String> {
         NeuronView, BirthView, TrialEndView, ChangeView,
         ServerMessage, Hello, WorldView, CurvePoint, LogEntry,
         ClientMessage, ArenaRequest, ThemeName,
+        ReproductionTarget, Reproduction, ReproductionRow, Verdict,
     )
 }
 

@@ -590,3 +590,53 @@ theme: ThemeName, };
 
 /** Colour theme of a picture. */
 export type ThemeName = "light" | "dark";
+
+/** A table or figure of the thesis that can be computed again. */
+export type ReproductionTarget = {
+/** Name used in the interface, e.g. `table-5.1`. */
+name: string,
+/** Title for people. */
+title: string,
+/** What is held against what. */
+compares: string,
+/** Where the thesis has it. */
+source: string,
+/** Sets of trials run for each preset. */
+sets: number,
+/** First seed; the sets take one each, upwards. */
+first_seed: number,
+/** Last seed. */
+last_seed: number,
+/** How the verdicts are found. */
+rule: string, };
+
+/** A table or figure of the thesis, computed again. */
+export type Reproduction = {
+/** Name of the target. */
+target: string,
+/** One row a figure. */
+rows: Array<ReproductionRow>, };
+
+/** One figure, published and ours. */
+export type ReproductionRow = {
+/** Preset and quantity. */
+name: string,
+/** What the thesis prints; none when it prints nothing. */
+published: number | null,
+/** What came out here. */
+ours: number,
+/** Lower end of our 95 % interval. */
+low: number,
+/** Upper end of our 95 % interval. */
+high: number,
+/** Sample size behind ours. */
+n: number,
+/** Unit; empty for a pure number. */
+unit: string,
+/** Whether the published value lies in our interval. */
+verdict: Verdict,
+/** How we read the thesis, with preset and seeds. */
+reading: string, };
+
+/** How a published value stands to ours. */
+export type Verdict = "agrees" | "differs" | "cannot tell";
