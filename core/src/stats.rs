@@ -112,7 +112,7 @@ impl Verdict {
     /// The rule of [`Verdict::of`], for people.
     pub const RULE: &str = "agrees: the published value lies inside our 95 % interval; differs: it \
         lies outside; cannot tell: nothing was published, n < 10, or it lies inside an interval wider \
-        than half the published value";
+        than half the published value; the published value is taken as exact";
 
     /// Judges a published value.
     ///
