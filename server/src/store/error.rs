@@ -133,7 +133,11 @@ impl StoreError {
     /// The file at `path` cannot be read or written because of `e`.
     pub(super) fn file(doing: &'static str, path: &Path, e: &io::Error) -> Self {
         let full = matches!(e.kind(), ErrorKind::StorageFull | ErrorKind::QuotaExceeded);
-        let advice = if full { "; free some space, then resume the session" } else { "" };
+        let advice = if full {
+            "; free some space, then resume the session, or reset it where no checkpoint was stored yet"
+        } else {
+            ""
+        };
         Self::File { doing, path: path.to_path_buf(), reason: format!("{e}{advice}") }
     }
 
