@@ -277,6 +277,8 @@ impl Learner {
             self.temperature_deg(),
             &mut self.rng,
         );
+        // NOTE (D5): Algorithm 9 rescues the robot and lets the same winner try the same way again; here
+        // the step after a rescue is the reflex's, and is recorded like any other.
         let rescued = situation.collided() && self.settings.after_rescue == AfterRescue::Reflex;
         let start_rad = if rescued {
             let advice = *reflex.get_or_insert_with(|| self.advise(situation));

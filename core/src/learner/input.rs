@@ -34,6 +34,7 @@ impl InputSettings {
     /// The input at a situation.
     #[must_use]
     pub fn encode(&self, sonar_m: &[f64; 24], pose: Pose, goal_distance_m: f64) -> Input {
+        // Eq. (5.5): x = (s, ρ)
         let mut x = [0.0; INPUTS];
         let shift = self.shift(pose);
         // Eq. (5.3): s_i in [0, 1]

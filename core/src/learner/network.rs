@@ -105,7 +105,9 @@ impl Network {
         let mut nearest = None;
         let mut least = f64::INFINITY;
         for neuron in &self.neurons {
-            // Eq. (5.10): i = arg min_j (x - c_j)ᵀ(x - c_j)
+            // Eq. (5.10): i = arg max_j φ_j(x) = arg min_j (x - c_j)ᵀ(x - c_j)
+            // NOTE: all widths are equal, so the activation φ_j of Eq. (5.9) falls with the distance
+            // and need not be computed.
             let squared = squared_distance(x, &neuron.centre, least);
             if squared < least {
                 least = squared;

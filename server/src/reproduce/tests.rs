@@ -1,6 +1,7 @@
 //! Targets as their readers rely on them.
 
 use std::collections::BTreeSet;
+use std::sync::Barrier;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use super::*;
@@ -21,6 +22,21 @@ fn the_result_does_not_depend_on_threads() {
     assert_eq!(run(&few_sets(), 1), alone, "a second time");
     assert_eq!(run(&few_sets(), 5), alone, "five threads");
     assert_eq!(run(&few_sets(), 0), alone, "no thread asked for");
+}
+
+#[test]
+fn sets_stand_in_the_order_of_their_seeds() {
+    let catalog = Catalog::load(None).expect("the embedded files are fine");
+    let target = few_sets();
+    let trials = |threads, done: &(dyn Fn() + Sync)| {
+        sets::last_trials(&catalog, &target, "default", threads, done).expect("they fit")
+    };
+    // Each waits for the other after a set, so that two threads take the seeds by turns.
+    let turn = Barrier::new(2);
+    let by_turns = || {
+        turn.wait();
+    };
+    assert_eq!(trials(2, &by_turns), trials(1, &|| ()));
 }
 
 #[test]
