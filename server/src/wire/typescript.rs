@@ -37,6 +37,8 @@ fn declarations(config: &Config) -> Vec<String> {
         ServerMessage, Hello, WorldView, CurvePoint, LogEntry,
         ClientMessage, ArenaRequest, ThemeName,
         ReproductionTarget, Reproduction, ReproductionRow, Verdict,
+        WorldFile, WorldRegion, WorldRule, AxisName, WorldHome, WorldGoal, PlaceView, WorldProblem,
+        WorldSummary, WorldCheck, RegionShape, RegionProposal, TraceRequest, TraceDraft, MapPicture,
     )
 }
 
