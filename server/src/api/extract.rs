@@ -178,8 +178,7 @@ async fn bytes<S: Send + Sync>(request: Request, state: &S) -> Result<Bytes, Fai
 }
 
 fn unreadable_body(rejection: &BytesRejection, limit: usize) -> Failure {
-    if let BytesRejection::FailedToBufferBody(FailedToBufferBody::LengthLimitError(_)) = rejection
-    {
+    if let BytesRejection::FailedToBufferBody(FailedToBufferBody::LengthLimitError(_)) = rejection {
         return too_large(limit);
     }
     Failure::unreadable(rejection.body_text())

@@ -8,7 +8,8 @@ use utoipa_axum::routes;
 use utoipa_swagger_ui::SwaggerUi;
 
 use super::{
-    App, arena, controls, experiments, files, reproductions, sessions, stream, ticks, traces, worlds,
+    App, arena, controls, experiments, files, reproductions, sessions, stream, ticks, traces,
+    worlds,
 };
 
 #[derive(OpenApi)]

@@ -62,7 +62,9 @@ async fn from_form(request: Request) -> Result<Map, Failure> {
         match name.as_str() {
             "image" => picture = Some(part.bytes().await.map_err(unreadable)?.to_vec()),
             "yaml" => yaml = Some(part.text().await.map_err(unreadable)?),
-            "speck_m2" => options.speck_m2 = number(&name, &part.text().await.map_err(unreadable)?)?,
+            "speck_m2" => {
+                options.speck_m2 = number(&name, &part.text().await.map_err(unreadable)?)?
+            }
             "crop" => options.crop_m = Some(rectangle(&part.text().await.map_err(unreadable)?)?),
             "name" => options.name = Some(part.text().await.map_err(unreadable)?),
             _ => {
@@ -73,7 +75,9 @@ async fn from_form(request: Request) -> Result<Map, Failure> {
         }
     }
     let missing = |name: &str| {
-        let detail = format!("the part `{name}` is missing: send the PGM or PNG as `image` and the YAML as `yaml`");
+        let detail = format!(
+            "the part `{name}` is missing: send the PGM or PNG as `image` and the YAML as `yaml`"
+        );
         Failure::unreadable(detail).at(name)
     };
     let picture = picture.ok_or_else(|| missing("image"))?;

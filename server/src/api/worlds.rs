@@ -19,7 +19,8 @@ use crate::catalog::{
 use crate::render::Quality;
 use crate::session::empty_arena;
 use crate::wire::{
-    Problem, RegionProposal, ThemeName, WorldCheck, WorldFile, WorldProblem, WorldRegion, WorldSummary,
+    Problem, RegionProposal, ThemeName, WorldCheck, WorldFile, WorldProblem, WorldRegion,
+    WorldSummary,
 };
 
 /// Largest body of a request that carries a world or a map, bytes.
@@ -76,9 +77,11 @@ pub(super) async fn one(
         return Ok(Json(WorldFile::from(file)).into_response());
     }
     // Only letters that need no quoting are names of files that were saved here.
-    let safe: String = name.chars().filter(|c| c.is_ascii_alphanumeric() || "-_".contains(*c)).collect();
+    let safe: String =
+        name.chars().filter(|c| c.is_ascii_alphanumeric() || "-_".contains(*c)).collect();
     let attachment = format!("attachment; filename=\"{safe}.toml\"");
-    let headers = [(header::CONTENT_TYPE, TOML.to_owned()), (header::CONTENT_DISPOSITION, attachment)];
+    let headers =
+        [(header::CONTENT_TYPE, TOML.to_owned()), (header::CONTENT_DISPOSITION, attachment)];
     Ok((headers, text).into_response())
 }
 
@@ -203,8 +206,7 @@ pub(super) async fn picture(
 ) -> Result<Response, Failure> {
     let size = Size::new(query.width.unwrap_or(480), query.height.unwrap_or(320))?;
     let worlds = app.clone();
-    let world: NamedWorld =
-        blocking(move || worlds.lab.catalog().worlds().find(&name)).await?;
+    let world: NamedWorld = blocking(move || worlds.lab.catalog().worlds().find(&name)).await?;
     let names: Vec<String> =
         world.world.regions().iter().map(|region| region.name.clone()).collect();
     png(&app, empty_arena(&world.world, &names), size, query.theme, Quality::Fast).await

@@ -52,7 +52,8 @@ pub fn trace(yaml: &str, picture: &[u8], options: &Options) -> Result<Traced, Fi
     let specks_dropped = grid.drop_specks(options.speck_m2).map_err(refused)?;
     let plan = floor_plan(&grid).map_err(refused)?;
     let places = suggest(&grid, robot_radius_m());
-    let [home, goal] = [places.home, places.goal].map(|place| [centimetres(place.x), centimetres(place.y)]);
+    let [home, goal] =
+        [places.home, places.goal].map(|place| [centimetres(place.x), centimetres(place.y)]);
     let stem = Path::new(&metadata.image).file_stem().and_then(|stem| stem.to_str());
     let stem = stem.unwrap_or("map");
     let name = options.name.clone().unwrap_or_else(|| world_name(stem));
@@ -65,7 +66,11 @@ pub fn trace(yaml: &str, picture: &[u8], options: &Options) -> Result<Traced, Fi
         blocks: Vec::new(),
         floor: plan.rings,
         regions: vec![RegionFile { name: "everywhere".to_owned(), rules: Vec::new() }],
-        home: HomeFile { x: home[0], y: home[1], heading_deg: places.heading_rad.to_degrees().round() },
+        home: HomeFile {
+            x: home[0],
+            y: home[1],
+            heading_deg: places.heading_rad.to_degrees().round(),
+        },
         goal: GoalFile { x: goal[0], y: goal[1], radius_m: GOAL_RADIUS_M },
     };
     let (segments_before, segments_after) = (plan.segments_before, plan.segments_after);
@@ -99,9 +104,10 @@ impl Traced {
 
 fn bounds_m(rings: &[Vec<[f64; 2]>]) -> [f64; 4] {
     let start = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
-    rings.iter().flatten().fold(start, |[x0, y0, x1, y1], [x, y]| {
-        [x0.min(*x), y0.min(*y), x1.max(*x), y1.max(*y)]
-    })
+    rings
+        .iter()
+        .flatten()
+        .fold(start, |[x0, y0, x1, y1], [x, y]| [x0.min(*x), y0.min(*y), x1.max(*x), y1.max(*y)])
 }
 
 fn centimetres(value_m: f64) -> f64 {

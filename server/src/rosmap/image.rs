@@ -20,7 +20,9 @@ pub(super) struct Image {
 /// Says what it is when it is none that can be read, and where it ends when it is cut off.
 pub(super) fn decode(bytes: &[u8], metadata: &Metadata) -> Result<Image, String> {
     match bytes {
-        [b'P', b'2' | b'5', ..] => pgm::decode(bytes, |light| metadata.cell(light, true)),
+        [b'P', b'2' | b'5', ..] => {
+            pgm::decode(bytes, |value, most| metadata.cell(value, most, true))
+        }
         [b'P', kind @ (b'1' | b'3' | b'4' | b'6' | b'7'), ..] => {
             let kind = char::from(*kind);
             Err(format!("must be a PGM (P2 or P5) or PNG file, not P{kind}; convert it to one"))
@@ -91,11 +93,11 @@ impl Pixel<'_> {
         let alpha = if self.has_alpha { channels[self.colours] } else { self.most };
         // A grey pixel stands for three equal colours beside its alpha.
         let sum = if self.colours == 1 { 3 * sum } else { sum };
-        let light = if self.has_alpha && self.metadata.mode == Mode::Trinary {
-            f64::from(sum + alpha) / (4.0 * f64::from(self.most))
+        let (parts, channels) = if self.has_alpha && self.metadata.mode == Mode::Trinary {
+            (sum + alpha, 4)
         } else {
-            f64::from(sum) / (3.0 * f64::from(self.most))
+            (sum, 3)
         };
-        self.metadata.cell(light, alpha == self.most)
+        self.metadata.cell(parts, channels * self.most, alpha == self.most)
     }
 }

@@ -4,9 +4,10 @@ use yaml_rust2::{Yaml, YamlLoader};
 
 use crate::catalog::FieldError;
 
-/// Longest text, bytes. Such files have some lines; and what is nested deeper than this allows could
-/// exhaust a thread's stack.
+/// Longest text, bytes; such files have some lines.
 const LONGEST: usize = 8 * 1024;
+/// Most marks of lists and keys (`- `, `? `): each nests what follows it, and the reader works by recursion.
+const MOST_MARKS: usize = 100;
 
 /// How pixels are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,6 +52,9 @@ impl Metadata {
         };
         if yaml.len() > LONGEST {
             return refuse(format!("it has {} bytes, at most {LONGEST} are read", yaml.len()));
+        }
+        if yaml.matches("- ").count() + yaml.matches("? ").count() > MOST_MARKS {
+            return refuse("it has too many lists".to_owned());
         }
         let documents = match YamlLoader::load_from_str(yaml) {
             Ok(documents) => documents,

@@ -39,13 +39,15 @@ pub fn read(metadata: &Metadata, picture: &[u8]) -> Result<OccupancyGrid, FieldE
 }
 
 impl Metadata {
-    /// What a pixel says: its lightness from 0 to 1, and whether it is opaque.
-    fn cell(&self, light: f64, opaque: bool) -> Cell {
-        let light = if self.negate { 1.0 - light } else { light };
+    /// What a pixel says: its lightness as so many parts of a whole, and whether it is opaque.
+    fn cell(&self, parts: u32, whole: u32, opaque: bool) -> Cell {
+        let parts = if self.negate { whole - parts } else { parts };
+        let share = |parts: u32| f64::from(parts) / f64::from(whole);
         let occupied = match self.mode {
             // NOTE: `negate` turns the value itself, as in ROS 1; ROS 2 ignores it here.
-            Mode::Raw => (light * 255.0).round() / 100.0,
-            _ => 1.0 - light,
+            Mode::Raw => (share(parts) * 255.0).round() / 100.0,
+            // Subtracted as whole numbers, so that a chance of exactly a threshold is one.
+            _ => share(whole - parts),
         };
         let untold = (self.mode == Mode::Scale && !opaque) || occupied > 1.0;
         if untold {

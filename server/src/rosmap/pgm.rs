@@ -7,8 +7,9 @@ use sonarium_core::world::map::Cell;
 
 use super::image::{Image, check_size};
 
-/// Reads a picture whose first two bytes are `P2` or `P5`; `cell` gets a lightness from 0 to 1.
-pub(super) fn decode(bytes: &[u8], cell: impl Fn(f64) -> Cell) -> Result<Image, String> {
+/// Reads a picture whose first two bytes are `P2` or `P5`; `cell` gets a pixel's value and
+/// the greatest.
+pub(super) fn decode(bytes: &[u8], cell: impl Fn(u32, u32) -> Cell) -> Result<Image, String> {
     let mut reader = Reader { bytes, at: 2 };
     let columns = reader.number("the width")?;
     let rows = reader.number("the height")?;
@@ -26,7 +27,7 @@ pub(super) fn decode(bytes: &[u8], cell: impl Fn(f64) -> Cell) -> Result<Image, 
             "the pixel in column {column} of row {row} is {value}, above the greatest value {most}"
         ));
     }
-    let cells = values.iter().map(|&value| cell(f64::from(value) / f64::from(most))).collect();
+    let cells = values.iter().map(|&value| cell(u32::from(value), most)).collect();
     Ok(Image { columns: columns as usize, cells })
 }
 

@@ -156,7 +156,10 @@ fn a_picture_that_cannot_be_read_is_refused_with_the_place() {
         (b"P2 3 2 0 1", "the greatest value of a PGM file must be 1 to 65535"),
         (b"P2 3 2 70000 1", "1 to 65535, not 70000"),
         (b"P2 2 1 255 1", "ends before pixel 2 of 2"),
-        (b"P2 2 1 100 1 101", "the pixel in column 1 of row 0 is 101, above the greatest value 100"),
+        (
+            b"P2 2 1 100 1 101",
+            "the pixel in column 1 of row 0 is 101, above the greatest value 100",
+        ),
         (b"P5 3 2 255\nabcde", "ends after 5 of 6 pixels"),
         (b"P5 3 2 256\nabcde", "ends after 2 of 6 pixels"),
         (b"P5 0 2 255\n", "at least one cell, not 0 x 2"),
@@ -183,9 +186,8 @@ fn a_map_becomes_a_draft_that_can_be_used() {
     let solid = |x: u32, y: u32| {
         x == 0 || y == 0 || x == 41 || y == 31 || ((20..23).contains(&x) && (14..17).contains(&y))
     };
-    let pixels: Vec<String> = (0..32 * 42)
-        .map(|k| if solid(k % 42, k / 42) { "0" } else { "254" }.to_owned())
-        .collect();
+    let pixels: Vec<String> =
+        (0..32 * 42).map(|k| if solid(k % 42, k / 42) { "0" } else { "254" }.to_owned()).collect();
     let picture = format!("P2 42 32 255 {}", pixels.join(" "));
     let traced = trace(YAML, picture.as_bytes(), &Options::default()).expect("a good map");
     assert_eq!((traced.segments_before, traced.segments_after), (8, 8));

@@ -4,7 +4,9 @@
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MapError {
     /// The size of a cell makes no sense.
-    #[error("`resolution` must be the edge of a cell in metres, greater than 0 and finite, not {found}")]
+    #[error(
+        "`resolution` must be the edge of a cell in metres, greater than 0 and finite, not {found}"
+    )]
     Resolution {
         /// What was given.
         found: f64,

@@ -136,7 +136,10 @@ impl OccupancyGrid {
             let least = corners.iter().map(along).fold(f64::INFINITY, f64::min);
             let most = corners.iter().map(along).fold(f64::NEG_INFINITY, f64::max);
             let limit = count as f64;
-            (libm::floor(least).clamp(0.0, limit) as usize, libm::ceil(most).clamp(0.0, limit) as usize)
+            (
+                libm::floor(least).clamp(0.0, limit) as usize,
+                libm::ceil(most).clamp(0.0, limit) as usize,
+            )
         };
         let (left, right) = span(|corner| corner.x, self.columns);
         let (below, above) = span(|corner| corner.y, self.rows);
@@ -184,9 +187,10 @@ mod tests {
     #[test]
     fn a_turned_map_lies_where_its_origin_says() {
         let yaw = std::f64::consts::FRAC_PI_2;
-        let grid = OccupancyGrid::new(4, 2, 0.5, [1.0, 2.0, yaw], |_, _| Cell::Free)
-            .expect("a small map");
-        for (x, y, expected) in [(0.0, 0.0, [1.0, 2.0]), (4.0, 0.0, [1.0, 4.0]), (4.0, 2.0, [0.0, 4.0])]
+        let grid =
+            OccupancyGrid::new(4, 2, 0.5, [1.0, 2.0, yaw], |_, _| Cell::Free).expect("a small map");
+        for (x, y, expected) in
+            [(0.0, 0.0, [1.0, 2.0]), (4.0, 0.0, [1.0, 4.0]), (4.0, 2.0, [0.0, 4.0])]
         {
             let point = grid.point_m(x, y);
             assert!((point - Vec2::from(expected)).norm() < 1e-12, "({x}, {y}): {point}");

@@ -41,7 +41,8 @@ pub fn suggest(grid: &OccupancyGrid, radius_m: f64) -> Places {
     let ways = ways(columns, room2.len(), home, |cell| room2[cell] as f64 >= needed * needed);
     let farthest = ways.iter().flatten().max().copied().unwrap_or(0);
     let limit = farthest.min((WAY_M / grid.resolution_m()) as u32);
-    let far = |cell: &usize| ways[*cell].is_some_and(|way| way <= limit && way >= limit - limit / 5);
+    let far =
+        |cell: &usize| ways[*cell].is_some_and(|way| way <= limit && way >= limit - limit / 5);
     let goal = roomiest(&mut (0..room2.len()).filter(far)).unwrap_or(home);
     let centre = |cell: usize| {
         let (column, row) = (cell % columns, cell / columns);

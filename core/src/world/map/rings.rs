@@ -7,12 +7,8 @@ const STEPS: [[i32; 2]; 4] = [[1, 0], [0, 1], [-1, 0], [0, -1]];
 
 /// Offsets from a corner of the grid to the cells ahead of it, on the left and on the right, for each
 /// of [`STEPS`].
-const AHEAD: [[[i32; 2]; 2]; 4] = [
-    [[0, 0], [0, -1]],
-    [[-1, 0], [0, 0]],
-    [[-1, -1], [-1, 0]],
-    [[0, -1], [-1, -1]],
-];
+const AHEAD: [[[i32; 2]; 2]; 4] =
+    [[[0, 0], [0, -1]], [[-1, 0], [0, 0]], [[-1, -1], [-1, 0]], [[0, -1], [-1, -1]]];
 
 /// All boundaries as rings of corners, in cells from the lower left corner of the grid, with the free
 /// cells on the left. A ring begins with the leftmost of its lowest edges that run to the right.

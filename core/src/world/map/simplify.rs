@@ -128,8 +128,10 @@ impl View {
         }
         // The tangents of the circle round the corner, as seen from the start.
         let along = libm::sqrt(distance2 - radius * radius);
-        let tangents =
-            [[along * x + radius * y, along * y - radius * x], [along * x - radius * y, along * y + radius * x]];
+        let tangents = [
+            [along * x + radius * y, along * y - radius * x],
+            [along * x - radius * y, along * y + radius * x],
+        ];
         let Some([right, left]) = self.edges else {
             self.edges = Some(tangents);
             return true;

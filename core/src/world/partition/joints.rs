@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use crate::geometry::{Vec2, angle, wrap_angle};
+use crate::world::World;
 use crate::world::file::Axis;
 
 use super::along;
@@ -16,10 +17,14 @@ const DOOR_WIDENING: f64 = 1.35;
 const DOOR_REACH_M: f64 = 1.5;
 /// A corner is a turn of at least this, radians,
 const CORNER_RAD: f64 = 0.9;
-/// over so much way before and after it, metres.
+/// between so much way before and after so much more in its middle, metres.
 const CORNER_REACH_M: f64 = 1.0;
+/// A corner is at least so far from every door, metres; turning after a door is no joint of its own.
+const CORNER_APART_M: f64 = 2.0;
 /// Joints are at least so far apart and from both ends, metres.
 const APART_M: f64 = 1.2;
+/// The post of a door is at most so far from its middle, metres.
+const BAY_REACH_M: f64 = 3.0;
 /// A bay is at least so large, square metres.
 const BAY_M2: f64 = 1.0;
 
@@ -50,7 +55,7 @@ struct Joint {
 }
 
 /// Parts of a way and the bays beside its doors, at most `most`.
-pub(super) fn parts(field: &Field, way: &[usize], goal: Vec2, most: usize) -> Vec<Part> {
+pub(super) fn parts(field: &Field, way: &[usize], world: &World, most: usize) -> Vec<Part> {
     let joints = joints(field, way, most.saturating_sub(1));
     let mut ends: Vec<usize> = joints.iter().map(|joint| joint.index).collect();
     ends.push(way.len());
@@ -66,7 +71,7 @@ pub(super) fn parts(field: &Field, way: &[usize], goal: Vec2, most: usize) -> Ve
         .collect();
     for (before, joint) in joints.iter().enumerate().filter(|(_, joint)| joint.is_door) {
         if parts.len() < most {
-            parts.extend(bay(field, way, goal, before, joint.index));
+            parts.extend(bay(field, way, world, before, joint.index));
         }
     }
     parts
@@ -125,7 +130,8 @@ fn label_bay(
         .filter(|(cell, found)| found.is_some_and(|found| belongs(*cell, found)))
         .map(|(cell, _)| cell)
         .collect();
-    let area_m2 = bay.iter().filter(|&&cell| field.room_m(cell) > 0.0).count() as f64 * CELL_M * CELL_M;
+    let area_m2 =
+        bay.iter().filter(|&&cell| field.room_m(cell) > 0.0).count() as f64 * CELL_M * CELL_M;
     if area_m2 >= BAY_M2 {
         bay.into_iter().for_each(|cell| labels[cell] = Some(label));
     }
@@ -135,10 +141,10 @@ fn label_bay(
 fn joints(field: &Field, way: &[usize], most: usize) -> Vec<Joint> {
     let mut found: Vec<Joint> = doors(field, way).into_iter().chain(corners(field, way)).collect();
     found.sort_by(|a, b| b.weight.total_cmp(&a.weight));
-    let apart = (APART_M / CELL_M) as usize;
     let mut kept: Vec<Joint> = Vec::new();
     for joint in found {
-        let far = |other: usize| joint.index.abs_diff(other) >= apart;
+        let apart_m = if joint.is_door { APART_M } else { CORNER_APART_M };
+        let far = |other: usize| joint.index.abs_diff(other) as f64 * CELL_M >= apart_m;
         let inside = far(0) && far(way.len() - 1);
         if kept.len() < most && inside && kept.iter().all(|other| far(other.index)) {
             kept.push(joint);
@@ -156,8 +162,10 @@ fn doors(field: &Field, way: &[usize]) -> Vec<Joint> {
     while index < way.len() {
         // A thick wall makes a stretch of equal room: its middle is the door.
         let narrow = room_m[index];
-        let length = room_m[index..].iter().take_while(|room| (*room - narrow).abs() < 1e-9).count();
-        let (before, after) = (&room_m[index.saturating_sub(reach)..index], &room_m[index + length..]);
+        let length =
+            room_m[index..].iter().take_while(|room| (*room - narrow).abs() < 1e-9).count();
+        let (before, after) =
+            (&room_m[index.saturating_sub(reach)..index], &room_m[index + length..]);
         let after = &after[..after.len().min(reach)];
         let least = before.iter().chain(after).copied().fold(f64::INFINITY, f64::min);
         let opens = |side: &[f64]| side.iter().any(|room| *room >= DOOR_WIDENING * narrow);
@@ -172,32 +180,38 @@ fn doors(field: &Field, way: &[usize]) -> Vec<Joint> {
 
 fn corners(field: &Field, way: &[usize]) -> Vec<Joint> {
     let reach = (CORNER_REACH_M / CELL_M) as usize;
+    let direction_rad =
+        |from: usize, to: usize| angle(field.centre(way[to]) - field.centre(way[from]));
     let turn_rad = |index: usize| {
-        let [from, at, to] = [index - reach, index, index + reach].map(|k| field.centre(way[k]));
-        wrap_angle(angle(to - at) - angle(at - from)).abs()
+        let before = direction_rad(index - 2 * reach, index - reach);
+        let after = direction_rad(index + reach, index + 2 * reach);
+        wrap_angle(after - before).abs()
     };
-    let turns = (reach..way.len().saturating_sub(reach)).map(|index| (index, turn_rad(index)));
-    let sharp = turns.filter(|(_, turn_rad)| *turn_rad >= CORNER_RAD);
-    sharp.map(|(index, weight)| Joint { index, weight, is_door: false }).collect()
+    let turns: Vec<(usize, f64)> = (2 * reach..way.len().saturating_sub(2 * reach))
+        .map(|index| (index, turn_rad(index)))
+        .collect();
+    // A turn takes some way: its middle is the corner.
+    let sharp = turns.split(|(_, turn_rad)| *turn_rad < CORNER_RAD).filter(|turn| !turn.is_empty());
+    let corner = |turn: &[(usize, f64)]| {
+        let weight = turn.iter().map(|(_, turn_rad)| *turn_rad).fold(0.0, f64::max);
+        Joint { index: turn[turn.len() / 2].0, weight, is_door: false }
+    };
+    sharp.map(corner).collect()
 }
 
 /// The bay before a door, if the goal lies beside the door and not behind it.
-fn bay(field: &Field, way: &[usize], goal: Vec2, before: usize, index: usize) -> Option<Part> {
+fn bay(field: &Field, way: &[usize], world: &World, before: usize, index: usize) -> Option<Part> {
     let around = |k: isize| field.centre(way[index.saturating_add_signed(k).min(way.len() - 1)]);
     let through = around(4) - around(-4);
-    let (axis, step) = if through.x.abs() > through.y.abs() {
-        (Axis::Y, Vec2::new(0.0, CELL_M))
-    } else {
-        (Axis::X, Vec2::new(CELL_M, 0.0))
-    };
-    let at = field.centre(way[index]);
-    let above = along(axis, goal) > along(axis, at);
-    let step = if above { step } else { -step };
+    let (axis, direction) =
+        if through.x.abs() > through.y.abs() { (Axis::Y, Vec2::y()) } else { (Axis::X, Vec2::x()) };
+    let (at, goal) = (field.centre(way[index]), along(axis, world.goal().centre));
+    let above = goal > along(axis, at);
+    let direction = if above { direction } else { -direction };
     // From the middle of the door to its post on the goal's side.
-    let open = |k: i32| field.room_m(field.cell(at + step * f64::from(k))) > 0.0;
-    let post = (1..100).find(|&k| !open(k))?;
-    let edge_m = along(axis, at + step * (f64::from(post) - 0.5));
-    let beyond = if above { along(axis, goal) > edge_m } else { along(axis, goal) < edge_m };
+    let post = world.nearest_m(at, direction, BAY_REACH_M)?;
+    let edge_m = along(axis, at + direction * post.distance_m);
+    let beyond = if above { goal > edge_m } else { goal < edge_m };
     let name = if before == 0 { "bay".to_owned() } else { format!("bay {}", before + 1) };
     beyond.then(|| Part { name, kind: Kind::Bay { of: before, axis, edge_m, above } })
 }

@@ -13,9 +13,9 @@
 
 mod field;
 mod joints;
-mod tree;
 #[cfg(test)]
 mod tests;
+mod tree;
 
 use super::file::{Axis, RegionFile, RuleFile};
 use super::{REGION_LIMIT, World};
@@ -37,7 +37,7 @@ pub fn propose_regions(world: &World, radius_m: f64, most: usize) -> Vec<RegionF
     let field = Field::new(world);
     let (home, goal) = (world.home().position(), world.goal().centre);
     let way = field.way(home, goal, radius_m, field::Wish::Room);
-    let parts = joints::parts(&field, &way, goal, most);
+    let parts = joints::parts(&field, &way, world, most);
     let tree = tree::grow(places(&field, &parts, world.bounds_m()), most);
     let mut regions = Vec::new();
     emit(&tree, &mut Vec::new(), &mut regions);
@@ -61,9 +61,7 @@ fn places(field: &Field, parts: &[Part], [x0, y0, x1, y1]: [f64; 4]) -> Vec<Plac
     let labels = joints::labels(field, parts, NEAR_M);
     let labelled = labels.iter().enumerate().filter_map(|(cell, label)| Some((cell, (*label)?)));
     let places = labelled.map(|(cell, label)| Place { at: field.centre(cell), label });
-    let inside = |place: &Place| {
-        (x0..=x1).contains(&place.at.x) && (y0..=y1).contains(&place.at.y)
-    };
+    let inside = |place: &Place| (x0..=x1).contains(&place.at.x) && (y0..=y1).contains(&place.at.y);
     places.filter(inside).collect()
 }
 
@@ -88,7 +86,8 @@ fn name(parts: &[Part], regions: Vec<(usize, Vec<RuleFile>)>) -> Vec<RegionFile>
     let named = regions.into_iter().map(|(label, rules)| {
         seen[label] += 1;
         let name = parts.get(label).map_or("everywhere", |part| part.name.as_str());
-        let name = if seen[label] == 1 { name.to_owned() } else { format!("{name} {}", seen[label]) };
+        let name =
+            if seen[label] == 1 { name.to_owned() } else { format!("{name} {}", seen[label]) };
         RegionFile { name, rules }
     });
     named.collect()

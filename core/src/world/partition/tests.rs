@@ -54,7 +54,13 @@ fn an_angled_corridor_is_cut_at_its_corner() {
     let mut file = room_file(4.0, 4.0);
     // A corridor 2 m wide that runs 8 m to the east and then 8 m to the north.
     file.walls = vec![vec![
-        [-1.0, -1.0], [7.0, -1.0], [7.0, 7.0], [5.0, 7.0], [5.0, 1.0], [-1.0, 1.0], [-1.0, -1.0],
+        [-1.0, -1.0],
+        [7.0, -1.0],
+        [7.0, 7.0],
+        [5.0, 7.0],
+        [5.0, 1.0],
+        [-1.0, 1.0],
+        [-1.0, -1.0],
     ]];
     file.goal = GoalFile { x: 6.0, y: 6.0, radius_m: 0.3 };
     let file = proposed(file, DEFAULT_REGIONS);

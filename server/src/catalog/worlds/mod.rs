@@ -2,9 +2,9 @@
 
 mod check;
 mod own;
-mod text;
 #[cfg(test)]
 mod tests;
+mod text;
 
 pub use check::region_shapes;
 pub use text::to_toml;
@@ -334,9 +334,7 @@ pub(super) fn regions(world: &World) -> Vec<String> {
 /// Whether a name can be that of a file everywhere.
 fn is_name(name: &str) -> bool {
     let inner = |byte: u8| matches!(byte, b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_');
-    (1..=64).contains(&name.len())
-        && name.bytes().all(inner)
-        && !name.starts_with(['-', '_'])
+    (1..=64).contains(&name.len()) && name.bytes().all(inner) && !name.starts_with(['-', '_'])
 }
 
 fn summary(world: &NamedWorld, built_in: bool) -> WorldSummary {

@@ -110,7 +110,8 @@ impl OwnWorlds {
 
     /// The file of a world; none for a name that would lead out of the folder.
     fn path(&self, name: &str) -> Option<PathBuf> {
-        let plain = !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':', '\0']);
+        let plain =
+            !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':', '\0']);
         let folder = self.folder.as_ref().filter(|_| plain)?;
         Some(folder.join(format!("{name}.toml")))
     }

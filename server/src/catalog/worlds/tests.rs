@@ -47,7 +47,8 @@ fn a_saved_world_is_there_at_once_and_follows_its_file() {
     assert!(!save("Second").1, "replaced");
     assert_eq!(worlds.get("mine").expect("saved").world.title(), "Second");
     // Another program edits the file.
-    let text = fs::read_to_string(own.join("mine.toml")).expect("a file").replace("Second", "Edited");
+    let text =
+        fs::read_to_string(own.join("mine.toml")).expect("a file").replace("Second", "Edited");
     fs::write(own.join("mine.toml"), text).expect("written");
     assert_eq!(worlds.get("mine").expect("saved").world.title(), "Edited");
     assert_eq!(fs::read_dir(&own).expect("a folder").count(), 1, "nothing is left beside it");

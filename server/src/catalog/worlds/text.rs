@@ -17,7 +17,9 @@ pub fn to_toml(file: &WorldFile) -> String {
     ] {
         line(&mut text, &format!("{key} = {}", quoted(value)));
     }
-    for (key, polygons) in [("walls", &file.walls), ("blocks", &file.blocks), ("floor", &file.floor)] {
+    for (key, polygons) in
+        [("walls", &file.walls), ("blocks", &file.blocks), ("floor", &file.floor)]
+    {
         if !polygons.is_empty() {
             line(&mut text, &format!("\n{key} = ["));
             polygons.iter().for_each(|polygon| line(&mut text, &format!("  {},", points(polygon))));
@@ -57,7 +59,8 @@ fn rule(rule: &RuleFile) -> String {
         Axis::Y => "axis = \"y\"".to_owned(),
     });
     let numbers = [("a", rule.a), ("b", rule.b), ("above", rule.above), ("below", rule.below)];
-    let numbers = numbers.into_iter().filter_map(|(key, value)| Some(format!("{key} = {}", number(value?))));
+    let numbers =
+        numbers.into_iter().filter_map(|(key, value)| Some(format!("{key} = {}", number(value?))));
     let parts: Vec<String> = axis.into_iter().chain(numbers).collect();
     format!("{{ {} }}", parts.join(", "))
 }

@@ -53,7 +53,8 @@ impl<const N: usize> FromStr for Numbers<N> {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let wrong = || format!("`{text}` must be {N} numbers with commas between them");
-        let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+        let numbers: Result<Vec<f64>, _> =
+            text.split(',').map(|part| part.trim().parse()).collect();
         let numbers = numbers.ok().filter(|numbers| numbers.iter().all(|n: &f64| n.is_finite()));
         numbers.and_then(|numbers| numbers.try_into().ok()).map(Self).ok_or_else(wrong)
     }

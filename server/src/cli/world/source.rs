@@ -117,7 +117,8 @@ fn regions_for(file: &WorldFile, path: &Path, asked: &Regions) -> Result<Vec<Reg
         Regions::Proposed => {
             let whole = WorldFile { regions: everywhere, ..file.clone() };
             let radius_m = robot_radius_m();
-            let world = World::new(&whole, radius_m).map_err(|error| at(path, &error.to_string()))?;
+            let world =
+                World::new(&whole, radius_m).map_err(|error| at(path, &error.to_string()))?;
             Ok(propose_regions(&world, radius_m, DEFAULT_REGIONS))
         }
         Regions::File(path) => {
