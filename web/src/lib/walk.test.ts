@@ -28,13 +28,13 @@ it('turns the world over, since y points down on the screen', () => {
 });
 
 it('says what became of a trial and where its steps went', () => {
-  const trial = sampleTrial({
-    trial: 1,
+  const trial = {
+    ...sampleTrial(1),
     steps: 39,
     total_reinforcement: -30.1,
     reached_goal: true,
     region_steps: { room: 30, concave: 9, door: 0 },
-  });
+  };
   expect(outcome(trial)).toBe(
     'Trial 1: goal reached in 39 steps, R = −30.10; steps by region: room 30, concave 9',
   );

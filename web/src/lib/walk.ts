@@ -15,15 +15,22 @@ export function walkOf(ticks: TickView[]): Walk {
   const [first] = ticks;
   return {
     poses: first ? [first.true_pose, ...ticks.map((tick) => tick.outcome.true_pose)] : [],
-    collisions: ticks.flatMap((tick, index) => (tick.outcome.contact === 'none' ? [] : [index + 1])),
+    collisions: ticks.flatMap((tick, index) =>
+      tick.outcome.contact === 'none' ? [] : [index + 1],
+    ),
   };
 }
 
 /** A place in the drawing, whose y axis points down. */
-export const place = ({ x_m, y_m }: { x_m: number; y_m: number }) => `${x_m.toFixed(3)},${(-y_m).toFixed(3)}`;
+export const place = ({ x_m, y_m }: { x_m: number; y_m: number }) =>
+  `${x_m.toFixed(3)},${(-y_m).toFixed(3)}`;
 
 /** The way up to a step as an SVG polyline. */
-export const line = (walk: Walk, step: number) => walk.poses.slice(0, step + 1).map(place).join(' ');
+export const line = (walk: Walk, step: number) =>
+  walk.poses
+    .slice(0, step + 1)
+    .map(place)
+    .join(' ');
 
 /** Wall segments as one SVG path. */
 export function walls(segments: [number, number, number, number][]): string {
