@@ -144,4 +144,6 @@ test('trial 1 and the last trial of a session are walked along side by side', as
   await pair.getByLabel('Left').selectOption('3');
   await expect(pair.getByRole('img', { name: /^Trial 3:/ })).toBeVisible();
   await axeFindsNothing(page);
+  // The story begins without sessions.
+  expect((await request.delete(`/api/v1/sessions/${id}`)).status()).toBe(204);
 });
