@@ -37,7 +37,9 @@ fn declarations(config: &Config) -> Vec<String> {
         StartView, AlteredStartView, ExcursionView,
         ServerMessage, Hello, WorldView, SonarView, CurvePoint, LogEntry,
         ClientMessage, ArenaRequest, ThemeName,
-        ReproductionTarget, Reproduction, ReproductionRow, Verdict,
+        ReproductionTarget, ReproductionArm, ReproductionProgress, ReproductionState,
+        Reproduction, ReproductionRow, Verdict, ReproductionCurve, ReproductionPoint,
+        ReproductionPicture,
     )
 }
 

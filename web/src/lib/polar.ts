@@ -36,7 +36,8 @@ export function sonarWords(sonar_m: number[], bearings_deg: number[]): string {
   const least = nearest(sonar_m);
   if (least < 0) return 'No reading yet';
   const sides = ['ahead', 'left', 'behind', 'right'].flatMap((name, quarter) => {
-    const looking = (index: number) => Math.abs(signed((bearings_deg[index] ?? 0) - 90 * quarter)) <= 45;
+    const looking = (index: number) =>
+      Math.abs(signed((bearings_deg[index] ?? 0) - 90 * quarter)) <= 45;
     const readings = sonar_m.filter((_, index) => looking(index));
     return readings.length > 0 ? [`${name} ${Math.min(...readings).toFixed(2)} m`] : [];
   });
