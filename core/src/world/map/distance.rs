@@ -96,7 +96,7 @@ mod tests {
         ) {
             let rows = solid.len() / columns;
             let found = distances2(columns, rows, |cell| solid[cell]);
-            for cell in 0..columns * rows {
+            for (cell, &found) in found.iter().enumerate() {
                 let (x, y) = ((cell % columns) as i64, (cell / columns) as i64);
                 let to_edge = (x + 1).min(columns as i64 - x).min(y + 1).min(rows as i64 - y);
                 let expected = (0..columns * rows)
@@ -106,7 +106,7 @@ mod tests {
                         (ox - x) * (ox - x) + (oy - y) * (oy - y)
                     })
                     .fold(to_edge * to_edge, i64::min);
-                prop_assert_eq!(found[cell], expected, "cell {}", cell);
+                prop_assert_eq!(found, expected, "cell {}", cell);
             }
         }
     }

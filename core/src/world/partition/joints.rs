@@ -213,5 +213,5 @@ fn bay(field: &Field, way: &[usize], world: &World, before: usize, index: usize)
     let edge_m = along(axis, at + direction * post.distance_m);
     let beyond = if above { goal > edge_m } else { goal < edge_m };
     let name = if before == 0 { "bay".to_owned() } else { format!("bay {}", before + 1) };
-    beyond.then(|| Part { name, kind: Kind::Bay { of: before, axis, edge_m, above } })
+    beyond.then_some(Part { name, kind: Kind::Bay { of: before, axis, edge_m, above } })
 }
