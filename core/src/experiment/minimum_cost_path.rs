@@ -286,7 +286,6 @@ impl MinimumCostPath {
         self.learner.consequence(&Consequence {
             sonar_m: sensed.sonar_m,
             pose,
-            moved: motion.moved,
             reinforcement,
         });
         Outcome {

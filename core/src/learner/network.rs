@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Birth, Input, NeuronId};
+use super::{Aim, Birth, Input, NeuronId};
 
 crate::choice! {
     /// Which networks there are.
@@ -42,6 +42,9 @@ pub struct Neuron {
     pub prototypical_rad: f64,
     /// Mean `μ` of the exploration, degrees.
     pub mean_deg: f64,
+    /// Where the mean points, once a shortcut is proposed (addition A1).
+    #[serde(default)]
+    pub aim: Option<Aim>,
     /// Utility `u`.
     pub utility: f64,
     /// The utility is only a first guess until the trial ends (section 5.9, Exceptions).
@@ -159,6 +162,7 @@ impl Neuron {
             centre,
             prototypical_rad: 0.0,
             mean_deg: 0.0,
+            aim: None,
             utility,
             pending: false,
             wins: 0,
