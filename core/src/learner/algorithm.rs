@@ -1,6 +1,11 @@
 //! Algorithm 9 as a state machine.
 
 mod heritage;
+mod recall;
+
+pub use recall::{Recall, Silence};
+
+use std::sync::Arc;
 
 use rand_chacha::ChaCha8Rng;
 
@@ -17,7 +22,7 @@ use super::{
 };
 use crate::control::{Reflex, ReflexTrace};
 use crate::geometry::{Pose, Vec2, angle, unit, wrap_angle};
-use crate::robot::Contact;
+use crate::robot::{Contact, Mount, Readings, Robot};
 
 /// The past situation, waiting for its consequence to be judged.
 #[derive(Clone, Debug)]
@@ -84,6 +89,7 @@ impl Situation<'_> {
 #[derive(Clone, Debug)]
 pub struct Learner {
     settings: LearnerSettings,
+    robot: Arc<Robot>,
     reflex: Reflex,
     goal: Vec2,
     memory: Memory,
@@ -103,19 +109,21 @@ impl Learner {
     #[must_use]
     pub fn new(
         settings: LearnerSettings,
+        robot: Arc<Robot>,
         reflex: Reflex,
         regions: usize,
         goal: Vec2,
         rng: ChaCha8Rng,
     ) -> Self {
         let memory = Memory::empty(&settings, regions);
-        Self::remember(settings, reflex, goal, memory, rng)
+        Self::remember(settings, robot, reflex, goal, memory, rng)
     }
 
     /// A learner that goes on from a memory, at the start of a trial.
     #[must_use]
     pub fn remember(
         settings: LearnerSettings,
+        robot: Arc<Robot>,
         reflex: Reflex,
         goal: Vec2,
         memory: Memory,
@@ -123,6 +131,7 @@ impl Learner {
     ) -> Self {
         Self {
             settings,
+            robot,
             reflex,
             goal,
             memory,
@@ -185,7 +194,8 @@ impl Learner {
         step.reinforcement = consequence.reinforcement.total();
         step.safety = consequence.reinforcement.safety;
         if step.paid() > 0.0 {
-            step.away = away_from_nearest(&consequence.sonar_m, consequence.pose);
+            step.away =
+                away_from_nearest(self.robot.sonars(), &consequence.sonar_m, consequence.pose);
         }
         past.situation.reinforcement = step.reinforcement;
         self.path.push(step);
@@ -195,7 +205,7 @@ impl Learner {
     /// Closes the trial and cools the temperature; `rng` is the exploration stream of the next trial.
     pub(crate) fn end_trial(&mut self, reached_goal: bool, rng: ChaCha8Rng) -> Changes {
         let mut changes =
-            close(&self.settings, &mut self.memory, self.goal, &self.path, &self.born, reached_goal);
+            close(&self.settings, &self.robot, self.goal, &mut self.memory, &self.path, &self.born, reached_goal);
         changes.recentred = std::mem::take(&mut self.recentred);
         changes.recentred.sort_unstable();
         changes.recentred.dedup();
@@ -463,7 +473,7 @@ impl Learner {
             aim: acting.aim,
             mean_deg: acting.mean_deg,
             pose: situation.observation.pose,
-            sonar_m: situation.observation.sonar_m.to_vec(),
+            sonar_m: situation.observation.sonar_m,
             action_rad,
             frame_rad: situation.frame_rad,
             reinforcement: 0.0,
@@ -476,14 +486,7 @@ impl Learner {
 }
 
 /// Unit vector away from where the least reading looks, odometry frame.
-fn away_from_nearest(sonar_m: &[f64; 24], pose: Pose) -> Vec2 {
-    let mut nearest = 0;
-    for sonar in 1..sonar_m.len() {
-        if sonar_m[sonar] < sonar_m[nearest] {
-            nearest = sonar;
-        }
-    }
-    #[expect(clippy::cast_precision_loss, reason = "at most 23")]
-    let bearing_rad = (15.0 * nearest as f64).to_radians();
+fn away_from_nearest(sonars: &[Mount], sonar_m: &Readings, pose: Pose) -> Vec2 {
+    let bearing_rad = sonars[sonar_m.nearest()].axis_deg.to_radians();
     -unit(pose.heading_rad + bearing_rad)
 }

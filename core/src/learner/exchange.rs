@@ -1,15 +1,15 @@
 //! What goes into the learner and what comes out of it.
 
-use super::{ActionSource, Aim, Adaptation, Exploration, NeuronId, Reinforcement, Winner};
+use super::{ActionSource, Adaptation, Aim, Exploration, NeuronId, Reinforcement, Winner};
 use crate::control::ReflexTrace;
 use crate::geometry::Pose;
-use crate::robot::Contact;
+use crate::robot::{Contact, Readings};
 
 /// What the learner is told before it decides.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observation {
-    /// The 24 sonar readings, metres.
-    pub sonar_m: [f64; 24],
+    /// The sonar readings, metres.
+    pub sonar_m: Readings,
     /// Believed pose.
     pub pose: Pose,
     /// Region the robot believes to be in.
@@ -55,7 +55,7 @@ pub struct Decision {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Consequence {
     /// Readings after the motion, metres.
-    pub sonar_m: [f64; 24],
+    pub sonar_m: Readings,
     /// Believed pose after the motion.
     pub pose: Pose,
     /// `r(t+1)`.

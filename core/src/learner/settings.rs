@@ -4,6 +4,7 @@ use super::echoes::Echoes;
 use super::{InputSettings, NoveltyMetric, Partition, RewardSettings};
 use crate::experiment::Settings;
 use crate::geometry::Pose;
+use crate::robot::{Readings, Robot};
 
 crate::choice! {
     /// Frame in which prototypical actions are stored.
@@ -109,8 +110,8 @@ pub struct LearnerSettings {
     pub shortcut_clearance_m: f64,
     pub shortcut_push: bool,
     pub shortcut_carry: Carry,
-    pub body_m: f64,
     pub sonar_range_m: f64,
+    pub sonar_cone_rad: f64,
     pub advance_m: f64,
 }
 
@@ -154,8 +155,8 @@ impl From<&Settings> for LearnerSettings {
             shortcut_clearance_m: settings.shortcut_clearance_m,
             shortcut_push: settings.shortcut_push,
             shortcut_carry: settings.shortcut_carry,
-            body_m: settings.robot().radius_m,
             sonar_range_m: settings.sonar_range_m,
+            sonar_cone_rad: settings.sonar_cone_deg.to_radians(),
             advance_m: settings.advance_m,
         }
     }
@@ -163,7 +164,12 @@ impl From<&Settings> for LearnerSettings {
 
 impl LearnerSettings {
     /// What the sonars show at a pose.
-    pub(super) fn echoes(&self, pose: Pose, sonar_m: &[f64]) -> Echoes {
-        Echoes::new(pose, sonar_m, self.body_m, self.sonar_range_m)
+    pub(super) fn echoes<'a>(
+        &self,
+        robot: &'a Robot,
+        pose: Pose,
+        sonar_m: &'a Readings,
+    ) -> Echoes<'a> {
+        Echoes::new(robot, pose, sonar_m, self.sonar_range_m, self.sonar_cone_rad)
     }
 }

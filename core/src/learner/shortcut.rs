@@ -12,6 +12,7 @@ use super::echoes::Echoes;
 use super::trial_end::PathStep;
 use super::{Aim, Judge, LearnerSettings, Memory, Proposal, annealing};
 use crate::geometry::{Vec2, angle, wrap_angle};
+use crate::robot::Robot;
 
 /// A nearer point gives no direction to aim along, metres.
 const TOO_NEAR_M: f64 = 0.05;
@@ -19,6 +20,7 @@ const TOO_NEAR_M: f64 = 0.05;
 /// Looks for shortcuts along a record path.
 pub(super) struct Surveyor<'a> {
     pub(super) settings: &'a LearnerSettings,
+    pub(super) robot: &'a Robot,
     pub(super) goal: Vec2,
     pub(super) memory: &'a Memory,
     pub(super) path: &'a [PathStep],
@@ -48,7 +50,7 @@ impl Surveyor<'_> {
     fn propose(&self, t: usize, temperature_deg: f64) -> Option<Proposal> {
         let step = &self.path[t];
         let neuron = self.memory.networks[step.network].get(step.neuron)?;
-        let echoes = self.settings.echoes(step.pose, &step.sonar_m);
+        let echoes = self.settings.echoes(self.robot, step.pose, &step.sonar_m);
         let mut best: Option<(f64, Proposal)> = None;
         // The far end first: it mostly has the greatest utility, and spares the look at all others.
         for candidate in self.later_points(t).rev() {
@@ -151,3 +153,6 @@ impl Surveyor<'_> {
         step as u32 + 1
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -3,9 +3,10 @@
 use super::shortcut::Surveyor;
 use super::{Aim, Change, LearnerSettings, MeanUpdate, Memory, NeuronId, Proposal, Replacement};
 use crate::geometry::{Pose, Vec2};
+use crate::robot::{Readings, Robot};
 
 /// One step of the path, as remembered until the trial ends (section 5.9, Back Tracking).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PathStep {
     /// Network of the neuron in charge.
     pub(super) network: usize,
@@ -18,7 +19,7 @@ pub(super) struct PathStep {
     /// Believed pose where it acted.
     pub(super) pose: Pose,
     /// What the sonars read there, metres.
-    pub(super) sonar_m: Vec<f64>,
+    pub(super) sonar_m: Readings,
     /// `α(t)`, radians, in the action frame.
     pub(super) action_rad: f64,
     /// Direction of the action frame's zero in the odometry frame, radians.
@@ -60,8 +61,9 @@ pub(crate) struct Changes {
 /// Closes a trial in memory.
 pub(super) fn close(
     settings: &LearnerSettings,
-    memory: &mut Memory,
+    robot: &Robot,
     goal: Vec2,
+    memory: &mut Memory,
     path: &[PathStep],
     born: &[(usize, NeuronId)],
     reached_goal: bool,
@@ -78,7 +80,7 @@ pub(super) fn close(
         changes.backed_up = back_up(memory, path);
     }
     if record && settings.mean_update == MeanUpdate::Shortcut {
-        changes.proposed = propose(settings, memory, goal, path);
+        changes.proposed = propose(settings, robot, goal, memory, path);
     }
     if !record && settings.forget_unrecorded && memory.best.is_some() {
         changes.forgotten = forget(memory, born);
@@ -117,12 +119,13 @@ fn replace(settings: &LearnerSettings, memory: &mut Memory, path: &[PathStep]) -
 /// A1, after back-tracking: a neuron takes the proposal of its last visit.
 fn propose(
     settings: &LearnerSettings,
-    memory: &mut Memory,
+    robot: &Robot,
     goal: Vec2,
+    memory: &mut Memory,
     path: &[PathStep],
 ) -> Vec<Proposal> {
     let mut proposals: Vec<Proposal> = Vec::new();
-    for (t, proposal) in (Surveyor { settings, goal, memory, path }).survey() {
+    for (t, proposal) in (Surveyor { settings, robot, goal, memory, path }).survey() {
         let Some(neuron) = memory.networks[path[t].network].get_mut(proposal.neuron) else {
             continue;
         };

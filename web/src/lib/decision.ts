@@ -1,7 +1,8 @@
 /** A control step in words: what was decided and why, sentence by sentence. */
 
 import { count, degrees, metres, number, signed, words } from './format';
-import type { NeuronView, TickView } from './protocol';
+import { bearingWords, nearest } from './polar';
+import type { AimView, NeuronView, TickView } from './protocol';
 import type { Value } from './settings';
 
 /** The session's settings by key. */
@@ -77,7 +78,15 @@ function action(tick: TickView): string {
   const turn = turnWords(tick.rotation_deg);
   if (tick.source === 'reflex') return `The bare reflex drove: ${turn}`;
   if (tick.source === 'after-rescue') return `After the rescue the reflex chose this step: ${turn}`;
+  if (tick.aim && tick.exploration.temperature_deg > 0)
+    return `Neuron ${tick.neuron} drove along a shortcut to ${place(tick.aim)}: ${turn}`;
   return `Neuron ${tick.neuron} drove: ${turn}`;
+}
+
+/** Where a shortcut leads: the point, and who is in charge there. */
+function place({ x_m, y_m, then }: AimView): string {
+  const point = `(${number(x_m)}, ${number(y_m)}) m`;
+  return then === null ? `the goal at ${point}` : `${point}, where neuron ${then} takes over`;
 }
 
 /** A rotation as a person would say it. */
@@ -96,13 +105,16 @@ function consequence({ outcome }: TickView): string {
   return `A ${outcome.contact} collision (${sensor}), ${way}; ${r}${end}`;
 }
 
-/** Numbers of the situation, as label and value. */
-export function facts(tick: TickView): [string, string][] {
-  const least = Math.min(...tick.sonar_m);
+/** Numbers of the situation, as label and value; bearings are those of the sonars. */
+export function facts(tick: TickView, bearings_deg: number[]): [string, string][] {
+  const least = nearest(tick.sonar_m);
   return [
     ['Region', words(tick.region)],
     ['Goal', `${metres(tick.goal_distance_m)} at ${degrees(tick.goal_bearing_deg)}`],
-    ['Nearest sonar', `${metres(least)} at ${15 * tick.sonar_m.indexOf(least)}°`],
+    [
+      'Nearest sonar',
+      `${metres(tick.sonar_m[least] ?? 0)} ${bearingWords(bearings_deg[least] ?? 0)}`,
+    ],
     ['Infrared', `${number(tick.reflectance_pct, 0)} %`],
     ['Trial so far', `R = ${number(tick.total_reinforcement)}`],
     ['Network', count(tick.neurons, 'neuron')],

@@ -45,6 +45,7 @@ export function sampleTick(changes: Partial<TickView> = {}): TickView {
     neuron: 17,
     prototypical_deg: 12,
     utility: -3.1,
+    aim: null,
     exploration: {
       temperature_deg: 100,
       mean_deg: 3,

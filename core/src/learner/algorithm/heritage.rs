@@ -88,7 +88,7 @@ impl Learner {
     fn is_free(&self, situation: &Situation<'_>, aim: Aim) -> bool {
         let observation = situation.observation;
         let here = observation.pose.position();
-        let echoes = self.settings.echoes(observation.pose, &observation.sonar_m);
+        let echoes = self.settings.echoes(&self.robot, observation.pose, &observation.sonar_m);
         let step = unit(angle(aim.point() - here)) * self.settings.advance_m;
         [0.5, 1.0].iter().all(|share| {
             echoes.clearance_m(here + step * *share) >= self.settings.shortcut_clearance_m

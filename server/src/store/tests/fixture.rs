@@ -146,6 +146,7 @@ pub(super) fn tick(n: u64) -> TickView {
         neuron: Some(1),
         prototypical_deg: number(n, 40),
         utility: None,
+        aim: None,
         exploration: ExplorationView {
             temperature_deg: 100.0,
             mean_deg: number(n, 41),
