@@ -323,11 +323,7 @@ impl MinimumCostPath {
         let bearing_rad = pose.bearing_to(self.world.goal().centre);
         let reinforcement =
             reinforcement(&self.reward, &sensed.sonar_m, motion.contact, bearing_rad);
-        self.learner.consequence(&Consequence {
-            sonar_m: sensed.sonar_m,
-            pose,
-            reinforcement,
-        });
+        self.learner.consequence(&Consequence { sonar_m: sensed.sonar_m, pose, reinforcement });
         Outcome {
             true_pose: self.robot.true_pose(),
             pose,

@@ -16,8 +16,8 @@ use super::memory::{Memory, Start};
 use super::stochastic::{eligibility, explore};
 use super::trial_end::{Changes, PathStep, close};
 use super::{
-    ActionFrame, ActionSource, Adaptation, AfterRescue, Aim, Birth, BirthCause, Consequence, Decision,
-    Exploration, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId, Observation,
+    ActionFrame, ActionSource, Adaptation, AfterRescue, Aim, Birth, BirthCause, Consequence,
+    Decision, Exploration, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId, Observation,
     Origin, Partition, Winner, annealing, reinforcement,
 };
 use crate::control::{Reflex, ReflexTrace};
@@ -204,8 +204,15 @@ impl Learner {
 
     /// Closes the trial and cools the temperature; `rng` is the exploration stream of the next trial.
     pub(crate) fn end_trial(&mut self, reached_goal: bool, rng: ChaCha8Rng) -> Changes {
-        let mut changes =
-            close(&self.settings, &self.robot, self.goal, &mut self.memory, &self.path, &self.born, reached_goal);
+        let mut changes = close(
+            &self.settings,
+            &self.robot,
+            self.goal,
+            &mut self.memory,
+            &self.path,
+            &self.born,
+            reached_goal,
+        );
         changes.recentred = std::mem::take(&mut self.recentred);
         changes.recentred.sort_unstable();
         changes.recentred.dedup();
@@ -438,7 +445,9 @@ impl Learner {
     /// NOTE: the text does not say what its parameters are; it takes the action that was executed and
     /// the utility that was found.
     fn split(&mut self, past: &Past, delta: f64, present_utility: f64) -> Adaptation {
-        let Some(action_rad) = self.path.last().map(|step| step.action_rad) else { return Adaptation::NoPast };
+        let Some(action_rad) = self.path.last().map(|step| step.action_rad) else {
+            return Adaptation::NoPast;
+        };
         let utility = past.situation.reinforcement + self.settings.discount * present_utility;
         let origin = Origin::Inherited { parent: past.neuron };
         let birth = self.birth(BirthCause::Error { delta }, origin, past.pose);

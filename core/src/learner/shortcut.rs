@@ -41,9 +41,7 @@ impl Surveyor<'_> {
         let next_trial = self.memory.trials + 2;
         let cooled = annealing::cooled(self.settings, self.memory.temperature_deg);
         let temperature_deg = annealing::effective(self.settings, cooled, next_trial);
-        (0..self.path.len())
-            .filter_map(|t| Some((t, self.propose(t, temperature_deg)?)))
-            .collect()
+        (0..self.path.len()).filter_map(|t| Some((t, self.propose(t, temperature_deg)?))).collect()
     }
 
     /// The best later point in view from where a step was decided, within the next temperature.
@@ -75,15 +73,18 @@ impl Surveyor<'_> {
                     y_m: candidate.point.y,
                     then: then.map(|next| (next.network, next.neuron)),
                 };
-                best = Some((score, Proposal {
-                    neuron: neuron.id,
-                    before_deg: neuron.mean_deg,
-                    after_deg: mean_deg,
-                    aim,
-                    step: self.number(candidate.step),
-                    straight,
-                    utility: candidate.utility,
-                }));
+                best = Some((
+                    score,
+                    Proposal {
+                        neuron: neuron.id,
+                        before_deg: neuron.mean_deg,
+                        after_deg: mean_deg,
+                        aim,
+                        step: self.number(candidate.step),
+                        straight,
+                        utility: candidate.utility,
+                    },
+                ));
             }
         }
         best.map(|(_, proposal)| proposal)

@@ -66,10 +66,10 @@ mod tests {
     #[test]
     fn what_a_preset_gives_is_left_out_and_what_undoes_it_is_named() {
         let mut report = sample::session_report();
-        report.preset.settings.insert("band.proposal".into(), Value::from(false));
-        assert!(repeat_command(&report).contains("--set band.proposal=true"));
-        report.session.settings.insert("band.proposal".into(), Value::from(false));
-        assert!(!repeat_command(&report).contains("band.proposal"));
+        report.preset.settings.insert("shortcut.push".into(), Value::from(false));
+        assert!(repeat_command(&report).contains("--set shortcut.push=true"));
+        report.session.settings.insert("shortcut.push".into(), Value::from(false));
+        assert!(!repeat_command(&report).contains("shortcut.push"));
     }
 
     #[test]

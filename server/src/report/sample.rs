@@ -162,8 +162,8 @@ fn settings() -> Vec<SettingInfo> {
             "deviation",
         ),
         setting(
-            "band.proposal",
-            "Set μ from the record trajectory at the end of a record trial; replaces Eq. (5.21)-(5.24)",
+            "shortcut.push",
+            "Move the points aimed at off the obstacle that cost clearance",
             true.into(),
             "",
             "A1",

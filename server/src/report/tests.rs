@@ -237,7 +237,7 @@ fn session_json_starts_with_the_contract_and_keeps_all_bits() {
     assert_eq!(value["format_version"], FORMAT_VERSION);
     assert_eq!(value["events"].as_array().map(Vec::len), Some(4));
     assert_eq!(value["settings_info"].as_array().map(Vec::len), Some(10));
-    assert_eq!(value["differences"]["additions"][0]["key"], "band.proposal");
+    assert_eq!(value["differences"]["additions"][0]["key"], "shortcut.push");
 }
 
 #[test]

@@ -4,14 +4,14 @@ use sonarium_core::control::ReflexTrace;
 use sonarium_core::experiment::NeuronRef;
 use sonarium_core::geometry::{Pose, wrap_angle};
 use sonarium_core::learner::{
-    ActionSource, Adaptation, Aim, Birth, BirthCause, Change, Exploration, NeuronId, Origin, Outcome, Proposal,
-    Tick, TrialEnd, TrialRecord, Update, Winner,
+    ActionSource, Adaptation, Aim, Birth, BirthCause, Change, Exploration, NeuronId, Origin,
+    Outcome, Proposal, Tick, TrialEnd, TrialRecord, Update, Winner,
 };
 use sonarium_core::robot::Contact;
 
 use crate::wire::{
-    AdaptationView, AimView, BirthView, ChangeView, ExplorationView, NeuronView, OutcomeView, PoseView, ProposalView,
-    ReflexView, TickView, Trial, TrialEndView, WinnerView,
+    AdaptationView, AimView, BirthView, ChangeView, ExplorationView, NeuronView, OutcomeView,
+    PoseView, ProposalView, ReflexView, TickView, Trial, TrialEndView, WinnerView,
 };
 
 /// The names a session's indices stand for.
