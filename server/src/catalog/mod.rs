@@ -13,7 +13,10 @@ pub use plan::{FieldError, Plan, speed as check_speed};
 pub use presets::Preset;
 pub use starts::starts_from_text;
 pub use values::{flatten, from_text};
-pub use worlds::{DEFAULT_WORLD, NamedWorld, Worlds};
+pub use worlds::{
+    BrokenWorld, DEFAULT_WORLD, NamedWorld, Worlds, WorldsError, parse as parse_world,
+    read as read_world, region_shapes, robot_radius_m, to_toml, world_name,
+};
 
 use std::path::Path;
 
@@ -57,13 +60,13 @@ impl Catalog {
         Ok(Self { worlds, experiments, infos })
     }
 
-    /// All experiments.
+    /// All experiments, with the worlds that there are now.
     #[must_use]
-    pub fn experiments(&self) -> &[ExperimentInfo] {
-        &self.infos
+    pub fn experiments(&self) -> Vec<ExperimentInfo> {
+        self.experiments.iter().map(|experiment| experiment.info(&self.worlds)).collect()
     }
 
-    /// An experiment by name, as a user sees it.
+    /// An experiment by name, as a user sees it, with the worlds that there were when the program started.
     #[must_use]
     pub fn experiment(&self, name: &str) -> Option<&ExperimentInfo> {
         self.infos.iter().find(|experiment| experiment.name == name)
@@ -73,5 +76,10 @@ impl Catalog {
     #[must_use]
     pub fn worlds(&self) -> &Worlds {
         &self.worlds
+    }
+
+    /// Adds a world for this run, before all others of its name.
+    pub fn give_world(&mut self, world: NamedWorld) {
+        self.worlds.give(world);
     }
 }

@@ -84,9 +84,7 @@ impl Catalog {
     /// When this program no longer knows its experiment, its world or one of its settings.
     pub fn restore(&self, row: &SessionRow) -> Result<Plan, FieldError> {
         let experiment = self.find(&row.experiment)?;
-        let world = worlds::read(&row.world, row.world_text.clone())
-            .map_err(|why| FieldError::new("settings.world", why))?
-            .fitting(&experiment.robot)?;
+        let world = self.worlds().stored(&row.world, &row.world_text, &experiment.robot)?;
         resolve_in(
             experiment,
             world,

@@ -10,6 +10,7 @@ mod start;
 mod stream;
 mod tick;
 mod typescript;
+mod world;
 
 pub use experiment::*;
 pub use reproduction::*;
@@ -18,3 +19,4 @@ pub use start::*;
 pub use stream::*;
 pub use tick::*;
 pub use typescript::typescript;
+pub use world::*;
