@@ -4,6 +4,7 @@ mod b21;
 mod motion;
 
 pub use b21::{B21, B21Settings, SONARS, Sensed};
+pub(crate) use motion::Course;
 pub use motion::Motion;
 
 /// What the body touched.

@@ -27,28 +27,28 @@ pub struct Motion {
 }
 
 /// A straight way ahead of the robot.
-pub(super) struct Course<'a> {
-    pub(super) world: &'a World,
-    pub(super) settings: &'a B21Settings,
-    pub(super) start: Vec2,
+pub(crate) struct Course<'a> {
+    pub(crate) world: &'a World,
+    pub(crate) settings: &'a B21Settings,
+    pub(crate) start: Vec2,
     /// Unit vector of the heading.
-    pub(super) direction: Vec2,
+    pub(crate) direction: Vec2,
     /// Clearance of the shell at the start, metres.
-    pub(super) start_clearance_m: f64,
+    pub(crate) start_clearance_m: f64,
 }
 
 /// How far the robot came.
-pub(super) struct Way {
-    pub(super) contact: Contact,
-    pub(super) advanced_m: f64,
-    pub(super) backed_m: f64,
+pub(crate) struct Way {
+    pub(crate) contact: Contact,
+    pub(crate) advanced_m: f64,
+    pub(crate) backed_m: f64,
     /// Clearance of the shell at the end, metres.
-    pub(super) clearance_m: f64,
+    pub(crate) clearance_m: f64,
 }
 
 impl Course<'_> {
     /// Advances one step's way, with the rescue if that ends in a collision.
-    pub(super) fn travel(&self) -> Way {
+    pub(crate) fn travel(&self) -> Way {
         let (contact, advanced_m) = self.advance();
         let backed_m = if contact == Contact::None { 0.0 } else { self.back_off(advanced_m) };
         let clearance_m = self.clearance_m(advanced_m - backed_m);
