@@ -18,6 +18,7 @@ use super::{Failure, cores, default_data, output};
 use crate::catalog::{Catalog, FieldError, Plan, flatten, from_text};
 use crate::session::{Run, summary};
 use crate::wire::{NewSession, RunResult, Trial};
+use crate::yardstick;
 
 mod recorded;
 
@@ -128,12 +129,14 @@ fn run_plan(plan: &Plan, progress: &ProgressBar) -> Result<RunResult, FieldError
 }
 
 fn result(plan: &Plan, trials: Vec<Trial>) -> RunResult {
+    let yardstick = yardstick::compute(plan);
+    let trials: Vec<Trial> = trials.into_iter().map(|trial| yardstick.mark(trial)).collect();
     RunResult {
         experiment: plan.experiment.clone(),
         seed: plan.seed,
         build: crate::build(),
         settings: plan.values.clone(),
-        summary: summary(&trials),
+        summary: summary(&trials, &yardstick),
         trials,
     }
 }

@@ -9,6 +9,7 @@ use super::differences::Differences;
 use super::{SessionReport, TrialReport};
 use crate::wire::{
     LogEntry, PresetInfo, Session, SettingInfo, Summary, TickView, Trial, TrialEndView, WorldView,
+    Yardstick,
 };
 
 /// Version of both JSON files, in `format_version`.
@@ -25,6 +26,7 @@ pub fn json(report: &SessionReport) -> String {
         settings: &session.settings,
         trials: &report.trials,
         summary: &report.summary,
+        yardstick: &report.yardstick,
         differences: Differences::of(report),
         events: &report.events,
         settings_info: &report.settings,
@@ -63,6 +65,7 @@ struct SessionFile<'a> {
     settings: &'a BTreeMap<String, Value>,
     trials: &'a [Trial],
     summary: &'a Summary,
+    yardstick: &'a Yardstick,
     differences: Differences,
     events: &'a [LogEntry],
     settings_info: &'a [SettingInfo],
