@@ -29,8 +29,7 @@ pub(super) fn trials_table(report: &SessionReport) -> Markup {
         @for trial in &report.trials { (trial_row(trial, report.summary.best_trial)) }
         @if report.trials.is_empty() { tr { td colspan="13" { "No trial has ended yet" } } }
     };
-    let caption =
-        "R(n) = f₁ + f₂, safety and goal; in brackets what was paid until the trial was capped; \
+    let caption = "R(n) = f₁ + f₂, safety and goal; in brackets what was paid until the trial was capped; \
          R* is what the best path a planner finds earns";
     table("trials", caption, &HEADINGS, rows)
 }

@@ -7,7 +7,9 @@ use crate::catalog::Plan;
 use crate::render::{ArenaView, Quality, RenderError, Renderer};
 use crate::report::{Picture, SessionReport, TrialReport};
 use crate::store::StoreError;
-use crate::wire::{PresetInfo, Session, Summary, ThemeName, TickView, Trial, TrialEndView, Yardstick};
+use crate::wire::{
+    PresetInfo, Session, Summary, ThemeName, TickView, Trial, TrialEndView, Yardstick,
+};
 use crate::yardstick;
 
 /// Size of the stills in reports, pixels.
