@@ -10,7 +10,7 @@ use std::thread;
 
 use crate::catalog::{FieldError, Plan};
 use crate::session::{Run, summary};
-use crate::wire::{RunResult, Trial};
+use crate::wire::{AlteredStartView, RunResult, Trial};
 use crate::yardstick;
 
 /// Does the jobs on so many threads and hands over each result as soon as all before it are there.
@@ -77,12 +77,13 @@ pub fn set(plan: &Plan, done: impl Fn()) -> Result<RunResult, FieldError> {
     let mut run = Run::new(plan)?;
     let trials = std::iter::repeat_with(|| run.step_silently()).flatten();
     let trials = trials.take(plan.trials as usize).inspect(|_| done()).collect();
-    Ok(result(plan, trials))
+    Ok(result(plan, trials, run.altered_starts(&plan.starts)))
 }
 
-/// The whole result of a plan that was run, each trial with its regret.
+/// The whole result of a plan that was run, each trial with its regret, and with what its networks did
+/// from altered starts.
 #[must_use]
-pub fn result(plan: &Plan, trials: Vec<Trial>) -> RunResult {
+pub fn result(plan: &Plan, trials: Vec<Trial>, starts: Vec<AlteredStartView>) -> RunResult {
     let yardstick = yardstick::compute(plan);
     let trials: Vec<Trial> = trials.into_iter().map(|trial| yardstick.mark(trial)).collect();
     RunResult {
@@ -92,6 +93,7 @@ pub fn result(plan: &Plan, trials: Vec<Trial>) -> RunResult {
         settings: plan.values.clone(),
         summary: summary(&trials, &yardstick),
         trials,
+        starts: starts.into_iter().map(AlteredStartView::without_paths).collect(),
     }
 }
 

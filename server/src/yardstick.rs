@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use sonarium_core::learner::LearnerSettings;
 use sonarium_core::planner::{BestPath, best_path};
-use sonarium_core::robot::B21Settings;
+use sonarium_core::robot::SimulationSettings;
 
 use crate::catalog::Plan;
 use crate::wire::{PlannedPath, Trial, Yardstick};
@@ -31,7 +31,7 @@ pub fn known(plan: &Plan) -> Yardstick {
 /// The yardstick of a plan, computed now if need be.
 #[must_use]
 pub fn compute(plan: &Plan) -> Yardstick {
-    let planned = || best_path(&plan.world.world, &plan.settings);
+    let planned = || best_path(&plan.world.world, &plan.robot, &plan.settings);
     let entry = entry(plan);
     let known = entry.get_or_init(|| {
         planned().map_or(Yardstick::None, |path| Yardstick::Ready(PlannedPath::from(&path)))
@@ -91,15 +91,15 @@ fn entry(plan: &Plan) -> Entry {
     tasks.entry(key).or_default().clone()
 }
 
-/// What the best path depends on: the world, how the robot moves and what it is paid. It senses and
+/// What the best path depends on: the world, the robot, how it moves and what it is paid. It senses and
 /// moves without error.
 fn task(plan: &Plan) -> String {
-    let robot = B21Settings {
+    let simulation = SimulationSettings {
         sonar_noise: 0.0,
         sonar_dropout: 0.0,
         odometry_drift: 0.0,
-        ..plan.settings.robot()
+        ..plan.settings.simulation()
     };
     let reward = LearnerSettings::from(&plan.settings).reward;
-    format!("{}\n{robot:?}\n{reward:?}", plan.world.text)
+    format!("{}\n{:?}\n{simulation:?}\n{reward:?}", plan.world.text, plan.robot)
 }

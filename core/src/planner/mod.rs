@@ -27,7 +27,7 @@ mod search;
 use crate::experiment::Settings;
 use crate::geometry::Pose;
 use crate::learner::Reinforcement;
-use crate::robot::Contact;
+use crate::robot::{Contact, Robot};
 use crate::world::World;
 
 use drive::Driver;
@@ -74,11 +74,12 @@ impl BestPath {
     }
 }
 
-/// The cheapest path found for a robot with these settings; none when it finds no way. Noise, missed
+/// The cheapest path found for a robot with these settings; none when it finds no way, or the robot is
+/// not round: then a rotation is not free, and the position alone is not the state. Noise, missed
 /// echoes and drift are left out.
 #[must_use]
-pub fn best_path(world: &World, settings: &Settings) -> Option<BestPath> {
-    let mut driver = Driver::new(world, settings);
+pub fn best_path(world: &World, robot: &Robot, settings: &Settings) -> Option<BestPath> {
+    let mut driver = Driver::new(world, robot, settings)?;
     let (cell_m, headings) = WHOLE;
     let coarse = Grid::over(world, cell_m, headings).search(&mut driver)?;
     let known = path(&mut driver, &coarse);

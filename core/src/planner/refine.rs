@@ -52,7 +52,7 @@ impl Line {
         for (index, &heading_rad) in self.headings.iter().enumerate() {
             let (place, paid) = self.starts[index];
             let taken = driver.step(place, heading_rad);
-            self.starts.push((taken.to, paid + taken.penalty()));
+            self.starts.push((taken.to, paid + taken.penalty));
             if driver.at_goal(taken.to) {
                 break;
             }
@@ -127,7 +127,7 @@ fn cost(
     for step in 0..driver.most_steps(headings.len()) {
         let heading_rad = headings.get(step).copied().unwrap_or_else(|| driver.to_goal_rad(place));
         let taken = driver.step(place, heading_rad);
-        (place, paid) = (taken.to, paid + taken.penalty());
+        (place, paid) = (taken.to, paid + taken.penalty);
         if paid >= limit {
             return None;
         }

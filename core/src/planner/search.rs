@@ -120,7 +120,7 @@ impl Grid {
                 continue;
             }
             let taken = driver.step(place, heading_rad);
-            let cost = cost + taken.penalty();
+            let cost = cost + taken.penalty;
             let node = Node { place: taken.to, cost, steps: steps + 1, parent, heading_rad };
             self.keep(node, nodes, queue);
         }

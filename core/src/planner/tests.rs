@@ -5,12 +5,13 @@ use super::*;
 use crate::experiment::MinimumCostPath;
 use crate::geometry::{Vec2, wrap_angle};
 use crate::learner::{LearnerSettings, reinforcement};
-use crate::robot::B21;
+use crate::robot::SimulatedRobot;
+use crate::robot::examples::{b21, trc};
 use crate::world::WorldFile;
 use crate::world::examples::{all_files, laboratory_file, room_file, world};
 
 fn planned(file: &WorldFile, settings: &Settings) -> BestPath {
-    best_path(&world(file), settings).expect("there is a way")
+    best_path(&world(file), &b21(), settings).expect("there is a way")
 }
 
 /// Some worlds with the best path in each, planned once for all tests.
@@ -32,7 +33,7 @@ fn driven(
 ) -> (f64, bool) {
     let world = Arc::new(world(file));
     let reward = LearnerSettings::from(settings).reward;
-    let mut robot = B21::new(Arc::clone(&world), settings.robot(), 1);
+    let mut robot = SimulatedRobot::new(Arc::clone(&world), b21(), settings.simulation(), 1);
     let mut total = 0.0;
     for heading_rad in headings {
         let motion = robot.act(wrap_angle(heading_rad - robot.true_pose().heading_rad));
@@ -99,7 +100,7 @@ fn the_simulator_pays_for_the_planned_path_what_the_planner_says() {
 fn no_trial_is_better_than_the_planned_path() {
     for (file, path) in PLANNED.iter() {
         for seed in 1..=4 {
-            let run = MinimumCostPath::new(Arc::new(world(file)), &exact(), seed);
+            let run = MinimumCostPath::new(Arc::new(world(file)), b21(), &exact(), seed);
             let mut run = run.expect("the defaults fit");
             while run.trials_done() < 12 {
                 let Some(end) = run.step().1 else { continue };
@@ -141,7 +142,7 @@ fn a_passage_too_narrow_even_to_back_off_in_is_no_way() {
         vec![[0.4, 0.27], [0.6, 0.27], [0.6, 2.0], [0.4, 2.0]],
     ];
     (file.goal.x, file.goal.radius_m) = (1.5, 0.3);
-    assert_eq!(best_path(&world(&file), &exact()), None);
+    assert_eq!(best_path(&world(&file), &b21(), &exact()), None);
 }
 
 #[test]
@@ -153,4 +154,9 @@ fn noise_and_drift_change_nothing() {
         ..Settings::default()
     };
     assert_eq!(planned(&laboratory_file(), &noisy), planned(&laboratory_file(), &exact()));
+}
+
+#[test]
+fn a_body_that_is_not_round_is_left_alone() {
+    assert_eq!(best_path(&world(&laboratory_file()), &trc(), &exact()), None);
 }

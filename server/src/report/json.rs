@@ -8,8 +8,8 @@ use serde_json::Value;
 use super::differences::Differences;
 use super::{SessionReport, TrialReport};
 use crate::wire::{
-    LogEntry, PresetInfo, Session, SettingInfo, Summary, TickView, Trial, TrialEndView, WorldView,
-    Yardstick,
+    AlteredStartView, LogEntry, PresetInfo, Session, SettingInfo, Summary, TickView, Trial,
+    TrialEndView, WorldView, Yardstick,
 };
 
 /// Version of both JSON files, in `format_version`.
@@ -27,6 +27,7 @@ pub fn json(report: &SessionReport) -> String {
         trials: &report.trials,
         summary: &report.summary,
         yardstick: &report.yardstick,
+        starts: &report.starts,
         differences: Differences::of(report),
         events: &report.events,
         settings_info: &report.settings,
@@ -66,6 +67,8 @@ struct SessionFile<'a> {
     trials: &'a [Trial],
     summary: &'a Summary,
     yardstick: &'a Yardstick,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    starts: &'a [AlteredStartView],
     differences: Differences,
     events: &'a [LogEntry],
     settings_info: &'a [SettingInfo],

@@ -45,6 +45,9 @@ use crate::wire::{ReproductionArm, ReproductionTarget};
 pub static TARGETS: &[&Target] =
     &[&TABLE_5_1, &FIGURE_5_10, &FIGURE_5_11, &FIGURE_5_12, &FIGURE_5_13, &ABLATIONS, &ROBUSTNESS];
 
+/// How verdicts on published figures are found.
+pub const PUBLISHED: &str = Verdict::RULE;
+
 /// Seeds of the chapter-5 targets: 200 sets.
 pub const SEEDS: RangeInclusive<u64> = 700_000..=700_199;
 

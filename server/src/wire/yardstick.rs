@@ -10,7 +10,7 @@ use utoipa::ToSchema;
 pub enum Yardstick {
     /// The planner is at work.
     Computing,
-    /// The planner finds no way to the goal.
+    /// The planner finds no way to the goal, or cannot plan for this robot.
     None,
     /// It is known.
     Ready(PlannedPath),

@@ -32,6 +32,6 @@ it('says a regret as a share of the best cost', () => {
 
 it('says what is known of the best path', () => {
   expect(plannedWords(computing)).toContain('being computed');
-  expect(plannedWords({ state: 'none' })).toContain('no way');
+  expect(plannedWords({ state: 'none' })).toContain('No planned path');
   expect(plannedWords(ready)).toContain('R* = −4.00 in 27 steps');
 });

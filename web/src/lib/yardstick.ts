@@ -9,7 +9,7 @@ export function plannedWords(yardstick: Yardstick): string {
     case 'computing':
       return 'Best path a planner finds: being computed';
     case 'none':
-      return 'A planner finds no way to the goal';
+      return 'No planned path to compare with';
     case 'ready':
       return `Best path a planner finds (dashed): R* = ${number(yardstick.total_reinforcement)} in ${yardstick.steps} steps`;
   }
