@@ -3,7 +3,7 @@
 //! Everything here is a state machine: an observation goes in, a decision comes out, with its
 //! explanation. Time and randomness are parameters; there is no clock, no file, no thread.
 //! Data flows one way: [`world`] → [`robot`] → [`fuzzy`] → [`control`] → [`learner`] → [`experiment`];
-//! [`stats`] judges what came out.
+//! [`planner`] finds the path that a learner could not better; [`stats`] judges what came out.
 //!
 //! ```
 //! use std::sync::Arc;
@@ -33,6 +33,7 @@ pub mod experiment;
 pub mod fuzzy;
 pub mod geometry;
 pub mod learner;
+pub mod planner;
 pub mod rng;
 pub mod robot;
 pub mod settings;

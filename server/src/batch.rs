@@ -11,6 +11,7 @@ use std::thread;
 use crate::catalog::{FieldError, Plan};
 use crate::session::{Run, summary};
 use crate::wire::{AlteredStartView, RunResult, Trial};
+use crate::yardstick;
 
 /// Does the jobs on so many threads and hands over each result as soon as all before it are there.
 /// When `take` refuses one, no further job is begun.
@@ -79,15 +80,18 @@ pub fn set(plan: &Plan, done: impl Fn()) -> Result<RunResult, FieldError> {
     Ok(result(plan, trials, run.altered_starts(&plan.starts)))
 }
 
-/// The whole result of a plan that was run, with what its networks did from altered starts.
+/// The whole result of a plan that was run, each trial with its regret, and with what its networks did
+/// from altered starts.
 #[must_use]
 pub fn result(plan: &Plan, trials: Vec<Trial>, starts: Vec<AlteredStartView>) -> RunResult {
+    let yardstick = yardstick::compute(plan);
+    let trials: Vec<Trial> = trials.into_iter().map(|trial| yardstick.mark(trial)).collect();
     RunResult {
         experiment: plan.experiment.clone(),
         seed: plan.seed,
         build: crate::build(),
         settings: plan.values.clone(),
-        summary: summary(&trials),
+        summary: summary(&trials, &yardstick),
         trials,
         starts: starts.into_iter().map(AlteredStartView::without_paths).collect(),
     }

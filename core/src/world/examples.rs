@@ -11,11 +11,16 @@ pub(crate) fn laboratory_file() -> WorldFile {
 }
 
 /// Files of all worlds that come with the program.
-pub(crate) fn all_files() -> [WorldFile; 3] {
+pub(crate) fn all_files() -> [WorldFile; 8] {
     [
         laboratory_file(),
         parsed(include_str!("../../../assets/worlds/laboratory-shifted-door.toml")),
         parsed(include_str!("../../../assets/worlds/two-obstacles.toml")),
+        parsed(include_str!("../../../assets/worlds/laboratory-narrow-door.toml")),
+        parsed(include_str!("../../../assets/worlds/l-corridor.toml")),
+        parsed(include_str!("../../../assets/worlds/three-rooms.toml")),
+        parsed(include_str!("../../../assets/worlds/two-baffles.toml")),
+        parsed(include_str!("../../../assets/worlds/pillars.toml")),
     ]
 }
 

@@ -38,6 +38,13 @@ pub(super) fn session_report() -> SessionReport {
         title: "Minimum-cost path".into(),
         session: session(),
         summary: summary(&trials),
+        yardstick: Yardstick::Ready(PlannedPath {
+            total_reinforcement: -4.75,
+            steps: 27,
+            collisions: 0,
+            resolution: 0.01,
+            path_m: vec![[0.0, 0.0], [4.0, -2.0]],
+        }),
         trials,
         settings: settings(),
         preset: PresetInfo {
@@ -85,6 +92,7 @@ pub(super) fn trials() -> Vec<Trial> {
                 0.0
             },
             path_m: 0.2 * f64::from(steps) - 0.07,
+            regret: reached_goal.then_some(-4.75 - total),
             region_steps: [("room".into(), steps - 8), ("corridor".into(), 8)].into(),
             first_tick,
             last_tick: tick,
@@ -103,6 +111,9 @@ fn summary(trials: &[Trial]) -> Summary {
         best_trial: best.map(|trial| trial.trial),
         last_steps: last.map(|trial| trial.steps),
         last_total_reinforcement: last.map(|trial| trial.total_reinforcement),
+        planned_total_reinforcement: Some(-4.75),
+        last_regret: last.and_then(|trial| trial.regret),
+        last_regret_pct: last.and_then(|trial| trial.regret).map(|regret| regret / 0.0475),
         neurons: last.map_or(0, |trial| trial.neurons),
         collisions: trials.iter().map(|trial| trial.collisions).sum(),
         steps: trials.iter().map(|trial| u64::from(trial.steps)).sum(),

@@ -18,8 +18,9 @@ use super::state::{Control, name};
 use crate::catalog::{Catalog, FieldError, Plan};
 use crate::store::{SessionRow, Store, StoreError};
 use crate::wire::{
-    Ack, AlteredStartView, LogEntry, NeuronView, NewSession, Session, StartView, State,
+    Ack, AlteredStartView, LogEntry, NeuronView, NewSession, Session, StartView, State, Yardstick,
 };
+use crate::yardstick;
 
 /// All sessions. A clone is the same laboratory.
 #[derive(Clone)]
@@ -359,6 +360,7 @@ impl Lab {
         let plan = self.catalog().restore(&row)?;
         let session = self.look(desks, row)?;
         let feed = Arc::new(history::feed(self.store(), &plan, session)?);
+        measure(&feed, plan);
         desks.entry(id).or_default().feed = Arc::downgrade(&feed);
         Ok(feed)
     }
@@ -370,5 +372,26 @@ impl Lab {
 
     fn desks(&self) -> MutexGuard<'_, BTreeMap<String, Desk>> {
         self.0.desks.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Tells a feed of the best path that a planner finds, at once if it is known, else when it is.
+fn measure(feed: &Arc<Feed>, plan: Plan) {
+    match yardstick::known(&plan) {
+        Yardstick::Computing => {
+            let feed = Arc::downgrade(feed);
+            let work = move || {
+                let yardstick = yardstick::compute(&plan);
+                if let Some(feed) = feed.upgrade() {
+                    feed.measure(yardstick);
+                }
+            };
+            // Without a thread the session runs as well; only its yardstick stays unknown.
+            let started = thread::Builder::new().name("planner".into()).spawn(work);
+            if let Err(error) = started {
+                tracing::warn!("cannot start a thread for the planner: {error}");
+            }
+        }
+        known => feed.measure(known),
     }
 }

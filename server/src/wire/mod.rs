@@ -11,6 +11,7 @@ mod stream;
 mod tick;
 mod typescript;
 mod world;
+mod yardstick;
 
 pub use experiment::*;
 pub use reproduction::*;
@@ -20,3 +21,4 @@ pub use stream::*;
 pub use tick::*;
 pub use typescript::typescript;
 pub use world::*;
+pub use yardstick::*;

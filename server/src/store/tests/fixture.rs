@@ -115,6 +115,7 @@ pub(super) fn trial_end(trial: u32) -> TrialEndView {
             record: trial == 1,
             temperature_deg: 100.0,
             path_m: 5.0,
+            regret: None,
             region_steps: [("hall".to_owned(), 10)].into(),
             first_tick: last_tick - TRIAL_TICKS + 1,
             last_tick,
