@@ -9,6 +9,8 @@
 mod csv;
 mod curve;
 mod figure_5_10;
+mod figure_5_8;
+mod figure_5_9;
 mod findings;
 mod learning_curves;
 mod sets;
@@ -20,6 +22,8 @@ mod tests;
 
 pub use csv::{curves_csv, rows_csv};
 pub use curve::curve;
+pub use figure_5_8::FIGURE_5_8;
+pub use figure_5_9::FIGURE_5_9;
 pub use figure_5_10::FIGURE_5_10;
 pub use findings::{Findings, Picture, Row};
 pub use learning_curves::{FIGURE_5_11, FIGURE_5_12, FIGURE_5_13};
@@ -38,7 +42,7 @@ use crate::wire::{ReproductionArm, ReproductionTarget};
 
 /// Everything that can be reproduced.
 pub static TARGETS: &[&Target] =
-    &[&TABLE_5_1, &FIGURE_5_10, &FIGURE_5_11, &FIGURE_5_12, &FIGURE_5_13];
+    &[&TABLE_5_1, &FIGURE_5_8, &FIGURE_5_9, &FIGURE_5_10, &FIGURE_5_11, &FIGURE_5_12, &FIGURE_5_13];
 
 /// Seeds of the chapter-5 targets: 200 sets.
 pub const SEEDS: RangeInclusive<u64> = 700_000..=700_199;
