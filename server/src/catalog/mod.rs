@@ -24,6 +24,8 @@ use crate::wire::ExperimentInfo;
 
 /// Chapter 5 on the B21.
 pub const MINIMUM_COST_PATH: &str = "minimum-cost-path";
+/// The experiment of section 5.11's simulation.
+pub const MINIMUM_COST_PATH_TRC: &str = "minimum-cost-path-trc";
 /// Most trials a session may have.
 pub const MAX_TRIALS: u32 = 100_000;
 /// Trials of a session unless told otherwise: the set of section 5.10.

@@ -188,7 +188,7 @@ impl<'a> Way<'a> {
 }
 
 fn distance_m([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
-    (ax - bx).hypot(ay - by)
+    ((ax - bx) * (ax - bx) + (ay - by) * (ay - by)).sqrt()
 }
 
 /// First and last trial of the first set.

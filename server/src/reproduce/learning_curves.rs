@@ -279,7 +279,13 @@ mod tests {
         let sample = crate::testing::undisturbed(1).remove(0);
         let trials =
             (1..).zip(steps).map(|(trial, steps)| Trial { trial, steps, ..sample.clone() });
-        Set { seed: 1, trials: trials.collect(), first_path_m: Vec::new(), last_path_m: Vec::new() }
+        Set {
+            seed: 1,
+            trials: trials.collect(),
+            first_path_m: Vec::new(),
+            last_path_m: Vec::new(),
+            starts: Vec::new(),
+        }
     }
 
     #[test]

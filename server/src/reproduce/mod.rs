@@ -10,6 +10,8 @@ mod ablations;
 mod csv;
 mod curve;
 mod figure_5_10;
+mod figure_5_8;
+mod figure_5_9;
 mod findings;
 mod learning_curves;
 mod required;
@@ -24,6 +26,8 @@ mod tests;
 pub use ablations::ABLATIONS;
 pub use csv::{curves_csv, rows_csv};
 pub use curve::curve;
+pub use figure_5_8::FIGURE_5_8;
+pub use figure_5_9::FIGURE_5_9;
 pub use figure_5_10::FIGURE_5_10;
 pub use findings::{Findings, Picture, Row};
 pub use learning_curves::{FIGURE_5_11, FIGURE_5_12, FIGURE_5_13};
@@ -42,8 +46,17 @@ use crate::catalog::{Catalog, CatalogError, FieldError, from_text};
 use crate::wire::{ReproductionArm, ReproductionTarget};
 
 /// Everything that can be reproduced.
-pub static TARGETS: &[&Target] =
-    &[&TABLE_5_1, &FIGURE_5_10, &FIGURE_5_11, &FIGURE_5_12, &FIGURE_5_13, &ABLATIONS, &ROBUSTNESS];
+pub static TARGETS: &[&Target] = &[
+        &TABLE_5_1,
+        &FIGURE_5_8,
+        &FIGURE_5_9,
+        &FIGURE_5_10,
+        &FIGURE_5_11,
+        &FIGURE_5_12,
+        &FIGURE_5_13,
+        &ABLATIONS,
+        &ROBUSTNESS,
+    ];
 
 /// How verdicts on published figures are found.
 pub const PUBLISHED: &str = Verdict::RULE;
