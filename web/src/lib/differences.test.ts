@@ -15,6 +15,7 @@ function setting(key: string, standing: string, source: string, value: number | 
 const infos = [
   setting('preset', 'gap', '', 'default'),
   setting('mean', 'addition', 'A1; Eq. (5.21)', 'band'),
+  setting('decay', 'addition', 'A1, tuned', 0.85),
   setting('scale', 'deviation', 'D1; Eq. (5.14)', 0.05),
   setting('cap', 'simulation', 'reading', 200),
   setting('metric', 'reading', 'Eq. (5.10)', 3),
@@ -35,7 +36,7 @@ const keys = (settings: Record<string, number | string>) =>
 describe('differences from the thesis', () => {
   it('are grouped, the farthest first, without the simulation', () => {
     expect(keys({})).toEqual([
-      ['Additions', ['mean']],
+      ['Additions', ['mean', 'decay']],
       ['Deviations', ['scale']],
       ['Readings', ['metric']],
     ]);
@@ -53,7 +54,9 @@ describe('differences from the thesis', () => {
       valueMeaning: 'from the record',
       thesis: 'gradient m',
       isLiteral: false,
+      isOwn: false,
     });
+    expect(groups({})[0]?.differences[1]).toMatchObject({ isOwn: true, source: 'tuned' });
     expect(groups({})[2]?.differences[0]).toMatchObject({ number: '', source: 'Eq. (5.10)' });
   });
 

@@ -30,6 +30,8 @@ export interface Difference {
   literal: Value;
   /** It is here as in the literal reading. */
   isLiteral: boolean;
+  /** It belongs to something that the thesis does not have: nothing is printed that it could be. */
+  isOwn: boolean;
 }
 
 /** Differences of one kind. */
@@ -84,6 +86,7 @@ export function inForce(groups: DifferenceGroup[]): string {
 
 function difference(info: SettingInfo, value: Value, literal: PresetInfo | undefined): Difference {
   const printed = presetValue(info, literal);
+  const departs = info.standing === 'addition' || info.standing === 'deviation';
   const [, number = '', source = info.source] = /^([A-Z]\d+)[;,:]?\s*(.*)$/.exec(info.source) ?? [];
   const mean = (each: Value) => info.choices.find((choice) => choice.value === each)?.meaning ?? '';
   const say = (each: Value) => [said(each), unit(info)].filter(Boolean).join(' ');
@@ -99,5 +102,6 @@ function difference(info: SettingInfo, value: Value, literal: PresetInfo | undef
     thesisMeaning: mean(printed),
     literal: printed,
     isLiteral: value === printed,
+    isOwn: departs && literal?.settings[info.key] === undefined,
   };
 }

@@ -41,10 +41,11 @@ export function copyOf(world: WorldFile, taken: string[]): Beginning {
 
 /** Begins with a world as it stands; a built-in one is saved under another name. */
 export function opened(world: WorldFile, worlds: WorldSummary[]): Beginning {
-  const builtIn = worlds.some(({ name, built_in }) => built_in && name === world.name);
-  if (!builtIn) return { draft: world, saved: world.name };
+  const isBuiltIn = worlds.some(({ name, built_in }) => built_in && name === world.name);
+  if (!isBuiltIn) return { draft: world, saved: world.name };
   const names = worlds.map(({ name }) => name);
-  return { draft: { ...world, name: freeName(world.name, names) }, saved: null, builtIn };
+  const draft = { ...world, name: freeName(world.name, names) };
+  return { draft, saved: null, builtIn: world.name };
 }
 
 /** What tracing did, in a sentence. */

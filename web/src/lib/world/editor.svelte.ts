@@ -32,8 +32,8 @@ export interface Beginning {
   draft: Draft;
   /** Name of the world it was read from and is saved to; `null` when it has no place yet. */
   saved: string | null;
-  /** It belongs to the program and can only be saved under another name. */
-  builtIn?: boolean;
+  /** The world of the program it is; it can only be saved under another name. */
+  builtIn?: string | null;
   /** Leaving it would lose work, although nothing was edited yet. */
   unsaved?: boolean;
   underlay?: Underlay | null;
@@ -47,7 +47,7 @@ const ROBOT_RADIUS_M = 0.265;
 /** One world being edited. */
 export class WorldEditor {
   readonly note: string;
-  readonly builtIn: boolean;
+  readonly builtIn: string | null;
   readonly underlay: Underlay | null;
   readonly checker = new Checker();
   #trail = $state.raw<Trail<Draft>>(begun({} as Draft));
@@ -78,7 +78,7 @@ export class WorldEditor {
   constructor({
     draft,
     saved,
-    builtIn = false,
+    builtIn = null,
     unsaved = false,
     underlay = null,
     note = '',

@@ -16,8 +16,8 @@ it.each([
     'regions[2].rules[0].a',
     'regions[2].rules[0].a regions[2].rules[0] regions[2].rules regions[2] regions',
   ],
-  ['home', 'home home.x'],
-  ['goal.radius_m', 'goal.radius_m goal goal.x'],
+  ['home', 'home.x home'],
+  ['goal.radius_m', 'goal.radius_m goal.x goal'],
   ['name', 'name'],
 ])('looks for %s where it can be mended', (field, chain) => {
   expect(chainOf(field).join(' ')).toBe(chain);

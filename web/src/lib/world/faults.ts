@@ -31,7 +31,7 @@ export function chainOf(field: string): string[] {
     chain.push(rest);
   }
   const within: Record<string, string> = { home: 'home.x', goal: 'goal.x' };
-  return chain.flatMap((each) => (within[each] ? [each, within[each]] : [each]));
+  return chain.flatMap((each) => (within[each] ? [within[each], each] : [each]));
 }
 
 /** What is said about a field itself or something within it, for its input. */

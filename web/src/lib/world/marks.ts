@@ -76,14 +76,16 @@ function drawArrow(context: Context, [from, tip]: [Point, Point], ink: Ink): voi
 /** Problems at their places, numbered as in the list. */
 export function drawMarks(context: Context, scene: Scene, ink: Ink): void {
   const { view, size } = scene;
+  // Wide enough to be seen round the robot.
+  const reach = Math.max(22, scene.robotRadius_m * view.scale + 7);
   for (const { number, at, nearest } of scene.marks) {
     const [x, y] = toScreen(view, size, at);
-    context.strokeStyle = ink.bad;
     if (nearest) drawNearest(context, [x, y], toScreen(view, size, nearest), ink);
+    context.strokeStyle = ink.bad;
     context.lineWidth = 2.5;
-    circle(context, [x, y], 22);
+    circle(context, [x, y], reach);
     context.stroke();
-    const badge: Point = [x + 17, y - 17];
+    const badge: Point = [x + 0.75 * reach, y - 0.75 * reach];
     context.fillStyle = ink.bad;
     circle(context, badge, 10);
     context.fill();
@@ -97,6 +99,7 @@ export function drawMarks(context: Context, scene: Scene, ink: Ink): void {
 }
 
 function drawNearest(context: Context, from: Point, to: Point, ink: Ink): void {
+  context.strokeStyle = ink.bad;
   context.lineWidth = 1.5;
   context.setLineDash([3, 3]);
   stroke(context, from, to);
