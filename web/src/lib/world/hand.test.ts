@@ -91,6 +91,14 @@ describe('one finger', () => {
     expect(undone(undone(trail)).present).toBe(draft);
   });
 
+  it('places home within its own body, but turns it at its handle', () => {
+    tool = 'home';
+    drag([210, 190]);
+    expect(trail.present.home).toMatchObject({ x: 0.1, y: 0.1 });
+    drag([254, 190], [210, 100]);
+    expect(trail.present.home).toEqual({ x: 0.1, y: 0.1, heading_deg: 90 });
+  });
+
   it('draws a line over anything with its tool', () => {
     tool = 'line';
     hand.down(1, [200, 200]);

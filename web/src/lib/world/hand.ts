@@ -28,11 +28,11 @@ type Doing =
   | { what: 'draw'; from: Point }
   | { what: 'drag'; grip: Grip; start: Draft; from: Point; key: string };
 
-/** What a tool takes hold of; the tool for looking takes everything. */
+/** What a tool takes hold of: one for placing leaves all but its handle, for it goes where it is pressed. */
 const TAKES: Record<Tool, Grip['kind'][]> = {
   move: ['home', 'heading', 'goal', 'radius', 'wall', 'line', 'side'],
-  home: ['home', 'heading'],
-  goal: ['goal', 'radius'],
+  home: ['heading'],
+  goal: ['radius'],
   line: ['side'],
   wall: [],
 };
