@@ -35,3 +35,8 @@ fn a_person_can_do_the_whole_story_in_a_browser() {
 fn a_person_can_bring_and_edit_a_world_in_a_browser() {
     passes("worlds.spec.ts");
 }
+
+#[test]
+fn a_person_can_look_at_the_reproductions_in_a_browser() {
+    passes("reproduce.spec.ts");
+}

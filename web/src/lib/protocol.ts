@@ -3,722 +3,724 @@
 
 /** One experiment that can be run. */
 export type ExperimentInfo = {
-  /** Name used in the interface, e.g. `minimum-cost-path`. */
-  name: string;
-  /** Title for people. */
-  title: string;
-  /** What it shows, a sentence or two. */
-  summary: string;
-  /** Where the thesis describes it. */
-  source: string;
-  /** Trials of a session unless told otherwise. */
-  default_trials: number;
-  /** Most trials a session may have. */
-  max_trials: number;
-  /** Sets of settings with a name; the first is the default. */
-  presets: Array<PresetInfo>;
-  /** Worlds it can run in; the first is the default. */
-  worlds: Array<WorldInfo>;
-  /** Every setting. */
-  settings: Array<SettingInfo>;
-};
+/** Name used in the interface, e.g. `minimum-cost-path`. */
+name: string,
+/** Title for people. */
+title: string,
+/** What it shows, a sentence or two. */
+summary: string,
+/** Where the thesis describes it. */
+source: string,
+/** Trials of a session unless told otherwise. */
+default_trials: number,
+/** Most trials a session may have. */
+max_trials: number,
+/** Sets of settings with a name; the first is the default. */
+presets: Array<PresetInfo>,
+/** Worlds it can run in; the first is the default. */
+worlds: Array<WorldInfo>,
+/** Every setting. */
+settings: Array<SettingInfo>, };
 
 /** A named set of settings. */
 export type PresetInfo = {
-  /** Value of the setting `preset`. */
-  name: string;
-  /** Title for people. */
-  title: string;
-  /** What it stands for. */
-  summary: string;
-  /** Settings that differ from the defaults. */
-  settings: Record<string, number | string | boolean>;
-};
+/** Value of the setting `preset`. */
+name: string,
+/** Title for people. */
+title: string,
+/** What it stands for. */
+summary: string,
+/** Settings that differ from the defaults. */
+settings: Record<string, number | string | boolean>, };
 
 /** A world that can be chosen. */
 export type WorldInfo = {
-  /** Value of the setting `world`. */
-  name: string;
-  /** Title for people. */
-  title: string;
-  /** What it is. */
-  summary: string;
-};
+/** Value of the setting `world`. */
+name: string,
+/** Title for people. */
+title: string,
+/** What it is. */
+summary: string, };
 
 /** One setting: what it means and what it may be. */
 export type SettingInfo = {
-  /** Key, e.g. `sonar.noise`. */
-  key: string;
-  /** What it means. */
-  meaning: string;
-  /** `number`, `integer`, `switch` or `choice`. */
-  kind: string;
-  /** Unit; empty for a choice, a switch or a pure number. */
-  unit: string;
-  /** Default. */
-  default: number | string | boolean;
-  /** Least value of a number. */
-  min: number | null;
-  /** Greatest value of a number. */
-  max: number | null;
-  /** What a choice can be. */
-  choices: Array<Choice>;
-  /** Equation, section or reading it comes from. */
-  source: string;
-  /** `literal`, `reading`, `gap`, `deviation`, `addition` or `simulation`. */
-  standing: string;
-};
+/** Key, e.g. `sonar.noise`. */
+key: string,
+/** What it means. */
+meaning: string,
+/** `number`, `integer`, `switch` or `choice`. */
+kind: string,
+/** Unit; empty for a choice, a switch or a pure number. */
+unit: string,
+/** Default. */
+default: number | string | boolean,
+/** Least value of a number. */
+min: number | null,
+/** Greatest value of a number. */
+max: number | null,
+/** What a choice can be. */
+choices: Array<Choice>,
+/** Equation, section or reading it comes from. */
+source: string,
+/** `literal`, `reading`, `gap`, `deviation`, `addition` or `simulation`. */
+standing: string, };
 
 /** One value of a choice. */
 export type Choice = {
-  /** The value. */
-  value: string;
-  /** What it means. */
-  meaning: string;
-};
+/** The value. */
+value: string,
+/** What it means. */
+meaning: string, };
 
 /** The state of a session. It is never a lie: after a crash it reads `interrupted`. */
-export type State =
-  | 'queued'
-  | 'starting'
-  | 'running'
-  | 'paused'
-  | 'stopping'
-  | 'stopped'
-  | 'finished'
-  | 'failed'
-  | 'interrupted';
+export type State = "queued" | "starting" | "running" | "paused" | "stopping" | "stopped" | "finished" | "failed" | "interrupted";
 
 /** Pace of a session. */
 export type Speed = number | NamedSpeed;
 
 /** A pace with a name. */
-export type NamedSpeed = 'max';
+export type NamedSpeed = "max";
 
 /** Body of `POST /api/v1/sessions`. */
 export type NewSession = {
-  /** Name of the experiment. */
-  experiment: string;
-  /** Seed, 0 to 2⁵³ − 1; drawn when missing, and always shown. */
-  seed?: number;
-  /** Settings that differ from the preset's; `preset` and `world` are settings too. */
-  settings?: Record<string, number | string | boolean>;
-  /** Number of trials. */
-  trials?: number;
-  /** Pace; 30 ticks a second when missing. */
-  speed?: Speed;
-};
+/** Name of the experiment. */
+experiment: string,
+/** Seed, 0 to 2⁵³ − 1; drawn when missing, and always shown. */
+seed?: number,
+/** Settings that differ from the preset's; `preset` and `world` are settings too. */
+settings?: Record<string, number | string | boolean>,
+/** Number of trials. */
+trials?: number,
+/** Pace; 30 ticks a second when missing. */
+speed?: Speed, };
 
 /** A session. */
 export type Session = {
-  /** Identifier. */
-  id: string;
-  /** Name of the experiment. */
-  experiment: string;
-  /** State. */
-  state: State;
-  /** Why it failed or was interrupted. */
-  reason: string | null;
-  /** Seed. */
-  seed: number;
-  /** Preset the settings started from. */
-  preset: string;
-  /** World it runs in. */
-  world: string;
-  /** Every setting with its value, `preset` and `world` included. */
-  settings: Record<string, number | string | boolean>;
-  /** Keys whose value is not the default's. */
-  changed: Array<string>;
-  /** Trials asked for. */
-  trials: number;
-  /** Trials done. */
-  trials_done: number;
-  /** Trials that reached the goal. */
-  reached: number;
-  /** Best total reinforcement of a trial that reached the goal. */
-  best: number | null;
-  /** Last tick. */
-  tick: number;
-  /** Pace. */
-  speed: Speed;
-  /** Program version and commit it runs on. */
-  build: string;
-  /** When it was created, RFC 3339, UTC. */
-  created_at: string;
-  /** When it last changed state, RFC 3339, UTC. */
-  changed_at: string;
-  /** Controls that would be accepted now: `start`, `pause`, `resume`, `step`, `stop`, `reset`. */
-  controls: Array<string>;
-};
+/** Identifier. */
+id: string,
+/** Name of the experiment. */
+experiment: string,
+/** State. */
+state: State,
+/** Why it failed or was interrupted. */
+reason: string | null,
+/** Seed. */
+seed: number,
+/** Preset the settings started from. */
+preset: string,
+/** World it runs in. */
+world: string,
+/** Every setting with its value, `preset` and `world` included. */
+settings: Record<string, number | string | boolean>,
+/** Keys whose value is not the default's. */
+changed: Array<string>,
+/** Trials asked for. */
+trials: number,
+/** Trials done. */
+trials_done: number,
+/** Trials that reached the goal. */
+reached: number,
+/** Best total reinforcement of a trial that reached the goal. */
+best: number | null,
+/** Last tick. */
+tick: number,
+/** Pace. */
+speed: Speed,
+/** Program version and commit it runs on. */
+build: string,
+/** When it was created, RFC 3339, UTC. */
+created_at: string,
+/** When it last changed state, RFC 3339, UTC. */
+changed_at: string,
+/** Controls that would be accepted now: `start`, `pause`, `resume`, `step`, `stop`, `reset`. */
+controls: Array<string>, };
 
 /** Answer to a control: the state it led to and the tick at which it took effect. */
 export type Ack = {
-  /** State after the control. */
-  state: State;
-  /** Last tick done when it took effect. */
-  tick: number;
-};
+/** State after the control. */
+state: State,
+/** Last tick done when it took effect. */
+tick: number, };
 
 /** Body of `POST sessions/{id}/step`; may be left out. */
 export type StepRequest = {
-  /** How far to go before holding again. */
-  unit: StepUnit;
-};
+/** How far to go before holding again. */
+unit: StepUnit, };
 
 /** How far one step goes. */
-export type StepUnit = 'tick' | 'trial';
+export type StepUnit = "tick" | "trial";
 
 /** Body of `POST sessions/{id}/speed`. */
 export type SpeedRequest = {
-  /** The new pace. */
-  speed: Speed;
-};
+/** The new pace. */
+speed: Speed, };
 
 /** One trial: a row of the trial table and a point of each learning curve. */
 export type Trial = {
-  /** Trial, from 1. */
-  trial: number;
-  /** Control steps taken. */
-  steps: number;
-  /** Total reinforcement R(n), Eq. (5.27). */
-  total_reinforcement: number;
-  /** Share of R(n) from the safety part, Eq. (5.6). */
-  safety: number;
-  /** Share of R(n) from the goal part, Eq. (5.7). */
-  goal: number;
-  /** Neurons after the trial. */
-  neurons: number;
-  /** Neurons added. */
-  born: number;
-  /** Neurons deleted at its end. */
-  forgotten: number;
-  /** Real and virtual collisions. */
-  collisions: number;
-  /** The goal was reached; otherwise the trial was capped. */
-  reached_goal: boolean;
-  /** It beat every earlier successful trial. */
-  record: boolean;
-  /** Temperature T(n), degrees. */
-  temperature_deg: number;
-  /** Length of the true path, metres. */
-  path_m: number;
-  /** Steps taken in each region, by the region's name. */
-  region_steps: { [key in string]: number };
-  /** First tick. */
-  first_tick: number;
-  /** Last tick. */
-  last_tick: number;
-};
+/** Trial, from 1. */
+trial: number,
+/** Control steps taken. */
+steps: number,
+/** Total reinforcement R(n), Eq. (5.27). */
+total_reinforcement: number,
+/** Share of R(n) from the safety part, Eq. (5.6). */
+safety: number,
+/** Share of R(n) from the goal part, Eq. (5.7). */
+goal: number,
+/** Neurons after the trial. */
+neurons: number,
+/** Neurons added. */
+born: number,
+/** Neurons deleted at its end. */
+forgotten: number,
+/** Real and virtual collisions. */
+collisions: number,
+/** The goal was reached; otherwise the trial was capped. */
+reached_goal: boolean,
+/** It beat every earlier successful trial. */
+record: boolean,
+/** Temperature T(n), degrees. */
+temperature_deg: number,
+/** Length of the true path, metres. */
+path_m: number,
+/** Steps taken in each region, by the region's name. */
+region_steps: { [key in string]: number },
+/** First tick. */
+first_tick: number,
+/** Last tick. */
+last_tick: number, };
 
 /** Summary over trials. */
 export type Summary = {
-  /** Trials done. */
-  trials: number;
-  /** Trials that reached the goal. */
-  reached: number;
-  /** Best total reinforcement of a successful trial. */
-  best_total_reinforcement: number | null;
-  /** The trial that holds it. */
-  best_trial: number | null;
-  /** Steps of the last trial. */
-  last_steps: number | null;
-  /** Total reinforcement of the last trial. */
-  last_total_reinforcement: number | null;
-  /** Neurons after the last trial. */
-  neurons: number;
-  /** Collisions over all trials. */
-  collisions: number;
-  /** Control steps over all trials. */
-  steps: number;
-};
+/** Trials done. */
+trials: number,
+/** Trials that reached the goal. */
+reached: number,
+/** Best total reinforcement of a successful trial. */
+best_total_reinforcement: number | null,
+/** The trial that holds it. */
+best_trial: number | null,
+/** Steps of the last trial. */
+last_steps: number | null,
+/** Total reinforcement of the last trial. */
+last_total_reinforcement: number | null,
+/** Neurons after the last trial. */
+neurons: number,
+/** Collisions over all trials. */
+collisions: number,
+/** Control steps over all trials. */
+steps: number, };
 
 /** The whole result of a run: what `run --json` prints and `report.json` starts with. */
 export type RunResult = {
-  /** Name of the experiment. */
-  experiment: string;
-  /** Seed. */
-  seed: number;
-  /** Program version and commit. */
-  build: string;
-  /** Every setting with its value. */
-  settings: Record<string, number | string | boolean>;
-  /** The trials. */
-  trials: Array<Trial>;
-  /** Their summary. */
-  summary: Summary;
-};
+/** Name of the experiment. */
+experiment: string,
+/** Seed. */
+seed: number,
+/** Program version and commit. */
+build: string,
+/** Every setting with its value. */
+settings: Record<string, number | string | boolean>,
+/** The trials. */
+trials: Array<Trial>,
+/** Their summary. */
+summary: Summary, };
 
 /** RFC 9457 problem details. */
 export type Problem = {
-  /** What kind of problem, as a relative reference, e.g. `/problems/out-of-range`. */
-  type: string;
-  /** What is wrong, in a few words. */
-  title: string;
-  /** HTTP status. */
-  status: number;
-  /** What is wrong here, and what would be right. */
-  detail: string;
-  /** The field at fault, e.g. `settings.sonar.noise`. */
-  field: string | null;
-};
+/** What kind of problem, as a relative reference, e.g. `/problems/out-of-range`. */
+type: string,
+/** What is wrong, in a few words. */
+title: string,
+/** HTTP status. */
+status: number,
+/** What is wrong here, and what would be right. */
+detail: string,
+/** The field at fault, e.g. `settings.sonar.noise`. */
+field: string | null, };
 
 /** Position and heading. */
 export type PoseView = {
-  /** Metres. */
-  x_m: number;
-  /** Metres. */
-  y_m: number;
-  /** Degrees, counter-clockwise from the x axis, in [-180, 180). */
-  heading_deg: number;
-};
+/** Metres. */
+x_m: number,
+/** Metres. */
+y_m: number,
+/** Degrees, counter-clockwise from the x axis, in [-180, 180). */
+heading_deg: number, };
 
 /** One control step: sensed, adapted, decided, moved. */
 export type TickView = {
-  /** Number in the session, from 1. */
-  tick: number;
-  /** Trial, from 1. */
-  trial: number;
-  /** Step within the trial, from 1. */
-  step: number;
-  /** True pose when sensing. */
-  true_pose: PoseView;
-  /** Believed pose (odometry) when sensing. */
-  pose: PoseView;
-  /** The 24 sonar readings, metres from the shell; sonar i looks 15°·i counter-clockwise from the heading. */
-  sonar_m: Array<number>;
-  /** Strongest infrared reflectance, percent. */
-  reflectance_pct: number;
-  /** Believed distance to the goal, metres. */
-  goal_distance_m: number;
-  /** Believed bearing of the goal from the heading, degrees. */
-  goal_bearing_deg: number;
-  /** Region the robot believes to be in. */
-  region: string;
-  /** Nearest neuron of the region's network, Eq. (5.10). */
-  winner: WinnerView | null;
-  /** Neuron added at this situation. */
-  born: number | null;
-  /** The reflex, when it was asked, Eq. (5.8). */
-  reflex: ReflexView | null;
-  /** What happened to the past neuron, section 5.9. */
-  adaptation: AdaptationView;
-  /** Neuron in charge; none when learning is off. */
-  neuron: number | null;
-  /** Its prototypical action p, degrees. */
-  prototypical_deg: number;
-  /** Its utility u; none while pending. */
-  utility: number | null;
-  /** The stochastic unit, Eq. (5.12)-(5.16). */
-  exploration: ExplorationView;
-  /** `network`, `reflex` or `after-rescue`. */
-  source: string;
-  /** Action α, degrees, Eq. (5.15). */
-  action_deg: number;
-  /** Frame of p and α: `heading`, `rotation` or `goal`. */
-  action_frame: string;
-  /** Rotation executed before the advance, degrees. */
-  rotation_deg: number;
-  /** What came of it. */
-  outcome: OutcomeView;
-  /** Neurons in all networks after this tick. */
-  neurons: number;
-  /** Total reinforcement of the trial so far. */
-  total_reinforcement: number;
-};
+/** Number in the session, from 1. */
+tick: number,
+/** Trial, from 1. */
+trial: number,
+/** Step within the trial, from 1. */
+step: number,
+/** True pose when sensing. */
+true_pose: PoseView,
+/** Believed pose (odometry) when sensing. */
+pose: PoseView,
+/** The 24 sonar readings, metres from the shell; sonar i looks 15°·i counter-clockwise from the heading. */
+sonar_m: Array<number>,
+/** Strongest infrared reflectance, percent. */
+reflectance_pct: number,
+/** Believed distance to the goal, metres. */
+goal_distance_m: number,
+/** Believed bearing of the goal from the heading, degrees. */
+goal_bearing_deg: number,
+/** Region the robot believes to be in. */
+region: string,
+/** Nearest neuron of the region's network, Eq. (5.10). */
+winner: WinnerView | null,
+/** Neuron added at this situation. */
+born: number | null,
+/** The reflex, when it was asked, Eq. (5.8). */
+reflex: ReflexView | null,
+/** What happened to the past neuron, section 5.9. */
+adaptation: AdaptationView,
+/** Neuron in charge; none when learning is off. */
+neuron: number | null,
+/** Its prototypical action p, degrees. */
+prototypical_deg: number,
+/** Its utility u; none while pending. */
+utility: number | null,
+/** The stochastic unit, Eq. (5.12)-(5.16). */
+exploration: ExplorationView,
+/** `network`, `reflex` or `after-rescue`. */
+source: string,
+/** Action α, degrees, Eq. (5.15). */
+action_deg: number,
+/** Frame of p and α: `heading`, `rotation` or `goal`. */
+action_frame: string,
+/** Rotation executed before the advance, degrees. */
+rotation_deg: number,
+/** What came of it. */
+outcome: OutcomeView,
+/** Neurons in all networks after this tick. */
+neurons: number,
+/** Total reinforcement of the trial so far. */
+total_reinforcement: number, };
 
 /** The nearest neuron. */
 export type WinnerView = {
-  /** Its number. */
-  neuron: number;
-  /** ‖x − c‖. */
-  distance: number;
-};
+/** Its number. */
+neuron: number,
+/** ‖x − c‖. */
+distance: number, };
 
 /** The fuzzy reflex at work: activations of left, forward and right. */
 export type ReflexView = {
-  /** Nearest reading ahead, to the left and to the right, metres. */
-  nearest_m: [number, number, number];
-  /** Membership of "near" ahead, left and right, 0 to 1. */
-  near: [number, number, number];
-  /** Obstacle avoidance: left, forward, right. */
-  avoid: [number, number, number];
-  /** Goal following: left, forward, right. */
-  goal: [number, number, number];
-  /** Fused, Eq. (5.8): left, forward, right. */
-  fused: [number, number, number];
-  /** Defuzzified rotation, degrees. */
-  rotation_deg: number;
-};
+/** Nearest reading ahead, to the left and to the right, metres. */
+nearest_m: [number, number, number],
+/** Membership of "near" ahead, left and right, 0 to 1. */
+near: [number, number, number],
+/** Obstacle avoidance: left, forward, right. */
+avoid: [number, number, number],
+/** Goal following: left, forward, right. */
+goal: [number, number, number],
+/** Fused, Eq. (5.8): left, forward, right. */
+fused: [number, number, number],
+/** Defuzzified rotation, degrees. */
+rotation_deg: number, };
 
 /** The stochastic unit. */
 export type ExplorationView = {
-  /** T(n), degrees. */
-  temperature_deg: number;
-  /** μ of the winner, degrees. */
-  mean_deg: number;
-  /** σ = T(n) / (1 + exp(u)), degrees. */
-  sigma_deg: number;
-  /** Standard deviation of the draw, degrees. */
-  deviation_deg: number;
-  /** ξ as drawn, degrees. */
-  drawn_deg: number;
-  /** ξ clipped to [-T, T], degrees. */
-  xi_deg: number;
-};
+/** T(n), degrees. */
+temperature_deg: number,
+/** μ of the winner, degrees. */
+mean_deg: number,
+/** σ = T(n) / (1 + exp(u)), degrees. */
+sigma_deg: number,
+/** Standard deviation of the draw, degrees. */
+deviation_deg: number,
+/** ξ as drawn, degrees. */
+drawn_deg: number,
+/** ξ clipped to [-T, T], degrees. */
+xi_deg: number, };
 
 /** What happened to the past neuron. */
-export type AdaptationView =
-  | { kind: 'no-past' }
-  | { kind: 'off' }
-  | {
-      kind: 'pending';
-      /** Past neuron. */
-      past: number;
-    }
-  | {
-      kind: 'split';
-      /** Past neuron. */
-      past: number;
-      /** TD error. */
-      delta: number;
-      /** Neuron added at the past situation. */
-      added: number;
-    }
-  | {
-      kind: 'updated';
-      /** Past neuron i. */
-      past: number;
-      /** r(t+1). */
-      reinforcement: number;
-      /** u_j of the present neuron. */
-      present_utility: number;
-      /** u_i before. */
-      utility_before: number;
-      /** δ(t+1), Eq. (5.19). */
-      delta: number;
-      /** η_r or η_p, Eq. (5.20). */
-      utility_rate: number;
-      /** u_i after. */
-      utility_after: number;
-      /** Eligibility, Eq. (5.23), per degree. */
-      eligibility: number;
-      /** μ_i before, degrees. */
-      mean_before_deg: number;
-      /** μ_i after, degrees. */
-      mean_after_deg: number;
-      /** Way the centre moved, Eq. (5.25). */
-      centre_shift: number;
-    };
+export type AdaptationView = { "kind": "no-past" } | { "kind": "off" } | { "kind": "pending",
+/** Past neuron. */
+past: number, } | { "kind": "split",
+/** Past neuron. */
+past: number,
+/** TD error. */
+delta: number,
+/** Neuron added at the past situation. */
+added: number, } | { "kind": "updated",
+/** Past neuron i. */
+past: number,
+/** r(t+1). */
+reinforcement: number,
+/** u_j of the present neuron. */
+present_utility: number,
+/** u_i before. */
+utility_before: number,
+/** δ(t+1), Eq. (5.19). */
+delta: number,
+/** η_r or η_p, Eq. (5.20). */
+utility_rate: number,
+/** u_i after. */
+utility_after: number,
+/** Eligibility, Eq. (5.23), per degree. */
+eligibility: number,
+/** μ_i before, degrees. */
+mean_before_deg: number,
+/** μ_i after, degrees. */
+mean_after_deg: number,
+/** Way the centre moved, Eq. (5.25). */
+centre_shift: number, };
 
 /** The consequence of an action. */
 export type OutcomeView = {
-  /** True pose after the motion and any rescue. */
-  true_pose: PoseView;
-  /** Believed pose after it. */
-  pose: PoseView;
-  /** `none`, `virtual` (infrared) or `real` (tactile). */
-  contact: string;
-  /** Way backed off, metres. */
-  backed_m: number;
-  /** r(t+1) = f₁ + f₂. */
-  reinforcement: number;
-  /** f₁, Eq. (5.6). */
-  safety: number;
-  /** f₂, Eq. (5.7). */
-  goal: number;
-  /** Close flag of Eq. (5.6). */
-  close: boolean;
-  /** The robot is at the goal. */
-  reached_goal: boolean;
-};
+/** True pose after the motion and any rescue. */
+true_pose: PoseView,
+/** Believed pose after it. */
+pose: PoseView,
+/** `none`, `virtual` (infrared) or `real` (tactile). */
+contact: string,
+/** Way backed off, metres. */
+backed_m: number,
+/** r(t+1) = f₁ + f₂. */
+reinforcement: number,
+/** f₁, Eq. (5.6). */
+safety: number,
+/** f₂, Eq. (5.7). */
+goal: number,
+/** Close flag of Eq. (5.6). */
+close: boolean,
+/** The robot is at the goal. */
+reached_goal: boolean, };
 
 /** A neuron: its four parameters and its birth certificate. */
 export type NeuronView = {
-  /** Its number in the session. */
-  id: number;
-  /** Region whose network it belongs to. */
-  region: string;
-  /** Centre c, 32 inputs: 24 normalised sonars, 8 distance units. Left out of the live stream, and
-   * at the end of a trial that did not change it. */
-  centre?: Array<number>;
-  /** Prototypical action p, degrees. */
-  prototypical_deg: number;
-  /** Heading that p meant at its birth pose, degrees, for drawing. */
-  heading_deg: number;
-  /** Mean μ, degrees. */
-  mean_deg: number;
-  /** Utility u; none while pending. */
-  utility: number | null;
-  /** Times it won. */
-  wins: number;
-  /** Birth certificate. */
-  birth: BirthView;
-};
+/** Its number in the session. */
+id: number,
+/** Region whose network it belongs to. */
+region: string,
+/** Centre c, 32 inputs: 24 normalised sonars, 8 distance units. Left out of the live stream, and
+ * at the end of a trial that did not change it. */
+centre?: Array<number>,
+/** Prototypical action p, degrees. */
+prototypical_deg: number,
+/** Heading that p meant at its birth pose, degrees, for drawing. */
+heading_deg: number,
+/** Mean μ, degrees. */
+mean_deg: number,
+/** Utility u; none while pending. */
+utility: number | null,
+/** Times it won. */
+wins: number,
+/** Birth certificate. */
+birth: BirthView, };
 
 /** When and why a neuron was added. */
 export type BirthView = {
-  /** Trial. */
-  trial: number;
-  /** Step within the trial. */
-  step: number;
-  /** Tick. */
-  tick: number;
-  /** `empty`, `distance`, `error` or `rescue`. */
-  cause: string;
-  /** The distance or the TD error that caused it. */
-  value: number | null;
-  /** Neuron its action was copied from; none when the reflex was asked. */
-  parent: number | null;
-  /** Believed pose at that moment. */
-  pose: PoseView;
-};
+/** Trial. */
+trial: number,
+/** Step within the trial. */
+step: number,
+/** Tick. */
+tick: number,
+/** `empty`, `distance`, `error` or `rescue`. */
+cause: string,
+/** The distance or the TD error that caused it. */
+value: number | null,
+/** Neuron its action was copied from; none when the reflex was asked. */
+parent: number | null,
+/** Believed pose at that moment. */
+pose: PoseView, };
 
 /** What the learner did at the end of a trial. */
 export type TrialEndView = {
-  /** The trial's row. */
-  trial: Trial;
-  /** Utilities set by back-tracking, Eq. (5.26). */
-  backed_up: Array<ChangeView>;
-  /** Prototypical actions replaced, Eq. (5.28), degrees. */
-  replaced: Array<ChangeView>;
-  /** Means set by the band proposal (addition A1), degrees. */
-  proposed: Array<ChangeView>;
-  /** Neurons deleted (addition D3). */
-  forgotten: Array<number>;
-  /** All neurons after the trial; centres only where the trial set or moved them. */
-  neurons: Array<NeuronView>;
-};
+/** The trial's row. */
+trial: Trial,
+/** Utilities set by back-tracking, Eq. (5.26). */
+backed_up: Array<ChangeView>,
+/** Prototypical actions replaced, Eq. (5.28), degrees. */
+replaced: Array<ChangeView>,
+/** Means set by the band proposal (addition A1), degrees. */
+proposed: Array<ChangeView>,
+/** Neurons deleted (addition D3). */
+forgotten: Array<number>,
+/** All neurons after the trial; centres only where the trial set or moved them. */
+neurons: Array<NeuronView>, };
 
 /** A value changed at the end of a trial. */
 export type ChangeView = {
-  /** The neuron. */
-  neuron: number;
-  /** Before. */
-  before: number;
-  /** After. */
-  after: number;
-};
+/** The neuron. */
+neuron: number,
+/** Before. */
+before: number,
+/** After. */
+after: number, };
 
 /** A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`);
  * `tick`, `depths` and `neurons` are samples of the present and repeat the number of the last event.
  * Arena pictures are binary frames: whole PNG files. */
-export type ServerMessage =
-  | ({ type: 'hello' } & Hello)
-  | {
-      type: 'state';
-      /** Event number. */
-      seq: number;
-      /** The session now. */
-      session: Session;
-    }
-  | {
-      type: 'tick';
-      /** Number of the last event. */
-      seq: number;
-      /** The step. */
-      tick: TickView;
-    }
-  | {
-      type: 'depths';
-      /** Number of the last event. */
-      seq: number;
-      /** Tick they belong to. */
-      tick: number;
-      /** Metres. */
-      sonar_m: Array<number>;
-    }
-  | {
-      type: 'neurons';
-      /** Number of the last event. */
-      seq: number;
-      /** Tick they belong to. */
-      tick: number;
-      /** The neurons. */
-      neurons: Array<NeuronView>;
-    }
-  | {
-      type: 'trial';
-      /** Event number. */
-      seq: number;
-      /** One or more, in order. */
-      trials: Array<Trial>;
-    }
-  | {
-      type: 'curve';
-      /** Event number. */
-      seq: number;
-      /** One or more, in order. */
-      points: Array<CurvePoint>;
-    }
-  | {
-      type: 'log';
-      /** Event number. */
-      seq: number;
-      /** One or more, in order. */
-      entries: Array<LogEntry>;
-    }
-  | {
-      type: 'gap';
-      /** What the client had. */
-      since: number;
-      /** Oldest event still held. */
-      oldest: number;
-    }
-  | {
-      type: 'error';
-      /** What was wrong and what would be right. */
-      message: string;
-      /** The field at fault. */
-      field: string | null;
-    };
+export type ServerMessage = { "type": "hello" } & Hello | { "type": "state",
+/** Event number. */
+seq: number,
+/** The session now. */
+session: Session, } | { "type": "tick",
+/** Number of the last event. */
+seq: number,
+/** The step. */
+tick: TickView, } | { "type": "depths",
+/** Number of the last event. */
+seq: number,
+/** Tick they belong to. */
+tick: number,
+/** Metres. */
+sonar_m: Array<number>, } | { "type": "neurons",
+/** Number of the last event. */
+seq: number,
+/** Tick they belong to. */
+tick: number,
+/** The neurons. */
+neurons: Array<NeuronView>, } | { "type": "trial",
+/** Event number. */
+seq: number,
+/** One or more, in order. */
+trials: Array<Trial>, } | { "type": "curve",
+/** Event number. */
+seq: number,
+/** One or more, in order. */
+points: Array<CurvePoint>, } | { "type": "log",
+/** Event number. */
+seq: number,
+/** One or more, in order. */
+entries: Array<LogEntry>, } | { "type": "gap",
+/** What the client had. */
+since: number,
+/** Oldest event still held. */
+oldest: number, } | { "type": "error",
+/** What was wrong and what would be right. */
+message: string,
+/** The field at fault. */
+field: string | null, };
 
 /** The history a late page needs. */
 export type Hello = {
-  /** [`STREAM_VERSION`]. */
-  version: number;
-  /** Number of the last event contained. */
-  seq: number;
-  /** The session. */
-  session: Session;
-  /** The world it runs in. */
-  world: WorldView;
-  /** The newest trials, at most [`HELLO_TRIALS`]. */
-  trials: Array<Trial>;
-  /** All neurons, without their centres. */
-  neurons: Array<NeuronView>;
-  /** The last control step, if there was one. */
-  tick: TickView | null;
-  /** The event log, newest last, at most 500 lines. */
-  log: Array<LogEntry>;
-};
+/** [`STREAM_VERSION`]. */
+version: number,
+/** Number of the last event contained. */
+seq: number,
+/** The session. */
+session: Session,
+/** The world it runs in. */
+world: WorldView,
+/** The newest trials, at most [`HELLO_TRIALS`]. */
+trials: Array<Trial>,
+/** All neurons, without their centres. */
+neurons: Array<NeuronView>,
+/** The last control step, if there was one. */
+tick: TickView | null,
+/** The event log, newest last, at most 500 lines. */
+log: Array<LogEntry>, };
 
 /** A world as the page needs it for its own drawings. */
 export type WorldView = {
-  /** Name. */
-  name: string;
-  /** Title for people. */
-  title: string;
-  /** Least and greatest x and y of all walls, metres: `[x0, y0, x1, y1]`. */
-  bounds_m: [number, number, number, number];
-  /** Walls as segments `[x0, y0, x1, y1]`, metres. */
-  walls_m: Array<[number, number, number, number]>;
-  /** Names of the regions, in their fixed order. */
-  regions: Array<string>;
-  /** Where every trial starts. */
-  home: PoseView;
-  /** Centre of the goal, metres. */
-  goal_m: [number, number];
-  /** Radius of the goal, metres. */
-  goal_radius_m: number;
-  /** Radius of the robot, metres. */
-  robot_radius_m: number;
-  /** Range of the sonars, metres. */
-  sonar_range_m: number;
-};
+/** Name. */
+name: string,
+/** Title for people. */
+title: string,
+/** Least and greatest x and y of all walls, metres: `[x0, y0, x1, y1]`. */
+bounds_m: [number, number, number, number],
+/** Walls as segments `[x0, y0, x1, y1]`, metres. */
+walls_m: Array<[number, number, number, number]>,
+/** Names of the regions, in their fixed order. */
+regions: Array<string>,
+/** Where every trial starts. */
+home: PoseView,
+/** Centre of the goal, metres. */
+goal_m: [number, number],
+/** Radius of the goal, metres. */
+goal_radius_m: number,
+/** Radius of the robot, metres. */
+robot_radius_m: number,
+/** Range of the sonars, metres. */
+sonar_range_m: number, };
 
 /** One point of each learning curve. */
 export type CurvePoint = {
-  /** Trial, from 1. */
-  trial: number;
-  /** Neurons after it. */
-  neurons: number;
-  /** Steps taken. */
-  steps: number;
-  /** R(n). */
-  total_reinforcement: number;
-  /** A capped trial has no defined steps or R(n) (section 5.11). */
-  reached_goal: boolean;
-};
+/** Trial, from 1. */
+trial: number,
+/** Neurons after it. */
+neurons: number,
+/** Steps taken. */
+steps: number,
+/** R(n). */
+total_reinforcement: number,
+/** A capped trial has no defined steps or R(n) (section 5.11). */
+reached_goal: boolean, };
 
 /** A line of the event log. */
 export type LogEntry = {
-  /** When, RFC 3339, UTC. */
-  at: string;
-  /** Last tick done. */
-  tick: number;
-  /** `operator`, `session`, `trial` or `warning`. */
-  kind: string;
-  /** What happened, a sentence. */
-  text: string;
-};
+/** When, RFC 3339, UTC. */
+at: string,
+/** Last tick done. */
+tick: number,
+/** `operator`, `session`, `trial` or `warning`. */
+kind: string,
+/** What happened, a sentence. */
+text: string, };
 
 /** A message from a client. */
-export type ClientMessage = {
-  type: 'subscribe';
-  /** Most `tick` messages a second, 0 (none) to 60. */
-  tick?: number;
-  /** Most `depths` messages a second, 0 to 60. */
-  depths?: number;
-  /** Most `neurons` messages a second, 0 to 30. */
-  neurons?: number;
-  /** Arena pictures. */
-  arena?: ArenaRequest;
-};
+export type ClientMessage = { "type": "subscribe",
+/** Most `tick` messages a second, 0 (none) to 60. */
+tick?: number,
+/** Most `depths` messages a second, 0 to 60. */
+depths?: number,
+/** Most `neurons` messages a second, 0 to 30. */
+neurons?: number,
+/** Arena pictures. */
+arena?: ArenaRequest, };
 
 /** What arena pictures to send. */
 export type ArenaRequest = {
-  /** Most pictures a second, 0 (none) to 30. */
-  rate: number;
-  /** Pixels, 64 to 2048. */
-  width: number;
-  /** Pixels, 64 to 2048. */
-  height: number;
-  /** `light` or `dark`. */
-  theme: ThemeName;
-};
+/** Most pictures a second, 0 (none) to 30. */
+rate: number,
+/** Pixels, 64 to 2048. */
+width: number,
+/** Pixels, 64 to 2048. */
+height: number,
+/** `light` or `dark`. */
+theme: ThemeName, };
 
 /** Colour theme of a picture. */
-export type ThemeName = 'light' | 'dark';
+export type ThemeName = "light" | "dark";
 
-/** A table or figure of the thesis that can be computed again. */
+/** Something the thesis shows or claims that can be computed again. */
 export type ReproductionTarget = {
-  /** Name used in the interface, e.g. `table-5.1`. */
-  name: string;
-  /** Title for people. */
-  title: string;
-  /** What is held against what. */
-  compares: string;
-  /** Where the thesis has it. */
-  source: string;
-  /** Sets of trials run for each preset. */
-  sets: number;
-  /** First seed; the sets take one each, upwards. */
-  first_seed: number;
-  /** Last seed. */
-  last_seed: number;
-  /** How the verdicts are found. */
-  rule: string;
-};
+/** Name used in the interface, e.g. `table-5.1`. */
+name: string,
+/** Title for people. */
+title: string,
+/** What is held against what. */
+compares: string,
+/** Where the thesis has it. */
+source: string,
+/** How its words and figures were read, a sentence each. */
+readings: Array<string>,
+/** Name of the experiment that is run. */
+experiment: string,
+/** What is run, side by side. */
+arms: Array<ReproductionArm>,
+/** Trials of a set. */
+trials: number,
+/** Sets of trials run for each arm. */
+sets: number,
+/** First seed; the sets take one each, upwards. */
+first_seed: number,
+/** Last seed. */
+last_seed: number,
+/** How the verdicts are found. */
+rule: string,
+/** The command that computes the same. */
+command: string, };
 
-/** A table or figure of the thesis, computed again. */
+/** One of the learners, or one of the worlds, that a target compares. */
+export type ReproductionArm = {
+/** Name, with which the names of its rows begin. */
+name: string,
+/** Preset, world and settings that differ from the preset's. */
+settings: Record<string, number | string | boolean>, };
+
+/** How far a target is. */
+export type ReproductionProgress = {
+/** Name of the target. */
+target: string,
+/** Where it stands. */
+state: ReproductionState,
+/** Sets done. */
+done: number,
+/** Sets to do. */
+of: number,
+/** Why it failed. */
+reason: string | null, };
+
+/** Where the computation of a target stands. */
+export type ReproductionState = "idle" | "waiting" | "running" | "done" | "failed";
+
+/** Something the thesis shows or claims, computed again. */
 export type Reproduction = {
-  /** Name of the target. */
-  target: string;
-  /** One row a figure. */
-  rows: Array<ReproductionRow>;
-};
+/** Name of the target. */
+target: string,
+/** One row a figure. */
+rows: Array<ReproductionRow>,
+/** Curves, several arms of one quantity after each other. */
+curves: Array<ReproductionCurve>,
+/** Pictures, those of one arm after each other. */
+pictures: Array<ReproductionPicture>,
+/** Program version and commit. */
+build: string, };
 
 /** One figure, published and ours. */
 export type ReproductionRow = {
-  /** Preset and quantity. */
-  name: string;
-  /** What the thesis prints; none when it prints nothing. */
-  published: number | null;
-  /** What came out here. */
-  ours: number;
-  /** Lower end of our 95 % interval. */
-  low: number;
-  /** Upper end of our 95 % interval. */
-  high: number;
-  /** Sample size behind ours. */
-  n: number;
-  /** Unit; empty for a pure number. */
-  unit: string;
-  /** Whether the published value lies in our interval. */
-  verdict: Verdict;
-  /** How we read the thesis, with preset and seeds. */
-  reading: string;
-};
+/** Preset and quantity. */
+name: string,
+/** What the thesis prints; none when it prints nothing. */
+published: number | null,
+/** What came out here. */
+ours: number,
+/** Lower end of our 95 % interval. */
+low: number,
+/** Upper end of our 95 % interval. */
+high: number,
+/** Sample size behind ours. */
+n: number,
+/** Unit; empty for a pure number. */
+unit: string,
+/** Whether the published value lies in our interval. */
+verdict: Verdict,
+/** How we read the thesis, with preset and seeds. */
+reading: string, };
 
 /** How a published value stands to ours. */
-export type Verdict = 'agrees' | 'differs' | 'cannot tell';
+export type Verdict = "agrees" | "differs" | "cannot tell";
+
+/** One quantity of one arm over trials. */
+export type ReproductionCurve = {
+/** Name of the arm. */
+arm: string,
+/** What is drawn, e.g. `number of steps`. */
+quantity: string,
+/** Its unit; empty for a pure number. */
+unit: string,
+/** What is counted along x, e.g. `trial`. */
+x_name: string,
+/** What the band is, e.g. `95 % interval of the mean over 200 sets`. */
+band: string,
+/** What the bars are, e.g. `minimum and maximum over the first ten sets`; empty without bars. */
+bars: string,
+/** The points, by rising x. */
+points: Array<ReproductionPoint>, };
+
+/** One point of a curve. */
+export type ReproductionPoint = {
+/** Place along x. */
+x: number,
+/** Mean; none when no set has a value here. */
+mean: number | null,
+/** Lower end of the 95 % interval of the mean; none of fewer than two values. */
+low: number | null,
+/** Upper end. */
+high: number | null,
+/** Least value among the sets of the bars. */
+least: number | null,
+/** Greatest value among them. */
+greatest: number | null,
+/** Sets behind the mean. */
+n: number, };
+
+/** A picture of a target: `GET reproductions/{target}/pictures/{name}`. */
+export type ReproductionPicture = {
+/** Name, unique in the target, e.g. `default-first`. */
+name: string,
+/** Name of the arm. */
+arm: string,
+/** What it shows, a line. */
+caption: string,
+/** What is to be seen, for those who cannot see it. */
+alt: string, };

@@ -4,6 +4,8 @@
 export type Route =
   | { page: 'home'; world: string }
   | { page: 'session'; id: string }
+  | { page: 'reproductions' }
+  | { page: 'reproduction'; target: string }
   | { page: 'worlds' }
   | { page: 'new-world'; from: string }
   | { page: 'world'; name: string }
@@ -16,6 +18,9 @@ export function routeOf(address: string): Route {
   if (path === '/') return { page: 'home', world: asked.get('world') ?? '' };
   const id = within(path, 'sessions');
   if (id !== null) return { page: 'session', id };
+  if (/^\/reproduce\/?$/.test(path)) return { page: 'reproductions' };
+  const target = within(path, 'reproduce');
+  if (target !== null) return { page: 'reproduction', target };
   if (/^\/worlds\/?$/.test(path)) return { page: 'worlds' };
   const name = within(path, 'worlds');
   if (name === 'new') return { page: 'new-world', from: asked.get('from') ?? '' };
@@ -33,6 +38,9 @@ function within(path: string, folder: string): string | null {
 
 /** Address of a session's page. */
 export const sessionPath = (id: string) => `/sessions/${encodeURIComponent(id)}`;
+
+/** Address of the page of a target. */
+export const reproductionPath = (target: string) => `/reproduce/${encodeURIComponent(target)}`;
 
 /** Address of a world's editor. */
 export const worldPath = (name: string) => `/worlds/${encodeURIComponent(name)}`;
