@@ -9,6 +9,7 @@ mod process;
 pub mod render;
 pub mod report;
 pub mod reproduce;
+pub mod rosmap;
 pub mod session;
 pub mod site;
 pub mod store;

@@ -29,6 +29,7 @@ pub(crate) fn room_file(width_m: f64, height_m: f64) -> WorldFile {
         source: "A test".to_owned(),
         walls: vec![vec![[-x, -y], [x, -y], [x, y], [-x, y], [-x, -y]]],
         blocks: Vec::new(),
+        floor: Vec::new(),
         regions: vec![RegionFile { name: "everywhere".to_owned(), rules: Vec::new() }],
         home: HomeFile { x: 0.0, y: 0.0, heading_deg: 0.0 },
         goal: GoalFile { x: 0.0, y: 0.0, radius_m: 0.1 },

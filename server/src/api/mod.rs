@@ -14,6 +14,8 @@ mod sessions;
 mod status;
 mod stream;
 mod ticks;
+mod traces;
+mod worlds;
 
 #[cfg(test)]
 mod tests;

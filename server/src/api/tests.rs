@@ -8,6 +8,8 @@ use crate::session::Control;
 use crate::testing::{Answer, House, MAX, SLOW, undisturbed};
 use crate::wire::State;
 
+mod worlds;
+
 /// A problem names its field and has the right type.
 fn problem(answer: &Answer) -> (u16, Json) {
     let json = answer.json();
@@ -220,6 +222,8 @@ async fn the_interface_describes_itself() {
         ("/sessions/{id}/trials/{trial}", &["get"]),
         ("/sessions/{id}/arena.png", &["get"]),
         ("/experiments/{name}", &["get"]),
+        ("/worlds/{name}", &["delete", "get", "put"]),
+        ("/worlds/trace", &["post"]),
     ] {
         let described: Vec<&String> = paths[path].as_object().expect(path).keys().collect();
         assert_eq!(described, methods, "{path}");

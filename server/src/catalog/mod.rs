@@ -8,7 +8,10 @@ mod worlds;
 pub use plan::{FieldError, Plan, speed as check_speed};
 pub use presets::Preset;
 pub use values::{flatten, from_text};
-pub use worlds::{DEFAULT_WORLD, NamedWorld, Worlds};
+pub use worlds::{
+    BrokenWorld, DEFAULT_WORLD, NamedWorld, Worlds, WorldsError, parse as parse_world,
+    read as read_world, region_shapes, robot_radius_m, to_toml, world_name,
+};
 
 use std::path::Path;
 
@@ -50,17 +53,19 @@ impl Catalog {
     pub fn load(own_worlds: Option<&Path>) -> Result<Self, CatalogError> {
         let presets = presets::embedded()?;
         let worlds = Worlds::load(own_worlds)?;
-        let experiments = vec![minimum_cost_path(&presets, &worlds)];
+        let experiments = vec![minimum_cost_path(&presets)];
         Ok(Self { presets, worlds, experiments })
     }
 
-    /// All experiments.
+    /// All experiments, with the worlds that there are now.
     #[must_use]
-    pub fn experiments(&self) -> &[ExperimentInfo] {
-        &self.experiments
+    pub fn experiments(&self) -> Vec<ExperimentInfo> {
+        let worlds = self.worlds.infos();
+        let experiments = self.experiments.iter().cloned();
+        experiments.map(|info| ExperimentInfo { worlds: worlds.clone(), ..info }).collect()
     }
 
-    /// An experiment by name.
+    /// An experiment by name, without its worlds, which [`Catalog::experiments`] fills in.
     #[must_use]
     pub fn experiment(&self, name: &str) -> Option<&ExperimentInfo> {
         self.experiments.iter().find(|experiment| experiment.name == name)
@@ -72,6 +77,11 @@ impl Catalog {
         &self.worlds
     }
 
+    /// Adds a world for this run, before all others of its name.
+    pub fn give_world(&mut self, world: NamedWorld) {
+        self.worlds.give(world);
+    }
+
     /// All presets; the first is the default.
     #[must_use]
     pub fn presets(&self) -> &[Preset] {
@@ -79,7 +89,8 @@ impl Catalog {
     }
 }
 
-fn minimum_cost_path(presets: &[Preset], worlds: &Worlds) -> ExperimentInfo {
+/// Its worlds are filled in when somebody asks.
+fn minimum_cost_path(presets: &[Preset]) -> ExperimentInfo {
     let defaults = Settings::default();
     ExperimentInfo {
         name: MINIMUM_COST_PATH.into(),
@@ -91,7 +102,7 @@ fn minimum_cost_path(presets: &[Preset], worlds: &Worlds) -> ExperimentInfo {
         default_trials: DEFAULT_TRIALS,
         max_trials: MAX_TRIALS,
         presets: presets.iter().map(Preset::info).collect(),
-        worlds: worlds.infos(),
+        worlds: Vec::new(),
         settings: Settings::specs().iter().map(|spec| setting(spec, &defaults)).collect(),
     }
 }

@@ -68,7 +68,7 @@ impl Catalog {
     pub fn resolve(&self, request: &NewSession) -> Result<Plan, FieldError> {
         self.check_experiment(&request.experiment)?;
         let name = name_in(&request.settings, "world")?.unwrap_or(DEFAULT_WORLD);
-        self.resolve_in(self.worlds().get(name)?.clone(), request)
+        self.resolve_in(self.worlds().get(name)?, request)
     }
 
     /// The plan of a stored session, in the world as it was when the session was created.
@@ -77,8 +77,7 @@ impl Catalog {
     /// When this program no longer knows its experiment, its world or one of its settings.
     pub fn restore(&self, row: &SessionRow) -> Result<Plan, FieldError> {
         self.check_experiment(&row.experiment)?;
-        let world = worlds::read(&row.world, row.world_text.clone())
-            .map_err(|why| FieldError::new("settings.world", why))?;
+        let world = self.worlds().stored(&row.world, &row.world_text)?;
         self.resolve_in(
             world,
             &NewSession {
@@ -125,7 +124,7 @@ impl Catalog {
         if self.experiment(name).is_some() {
             return Ok(());
         }
-        let names: Vec<&str> = self.experiments().iter().map(|e| e.name.as_str()).collect();
+        let names: Vec<&str> = self.experiments.iter().map(|e| e.name.as_str()).collect();
         let message = format!("there is no experiment `{name}`; there is {}", listed(&names));
         Err(FieldError::new("experiment", message))
     }

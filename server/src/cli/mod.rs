@@ -9,6 +9,7 @@ mod output;
 mod reproduce;
 mod run;
 mod serve;
+mod world;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -40,6 +41,8 @@ enum Command {
     Reproduce(reproduce::Arguments),
     /// List the experiments with their settings
     Experiments(experiments::Arguments),
+    /// Trace a world from a map, or check one
+    World(world::Arguments),
     /// Measure speed and memory
     Bench(bench::Arguments),
 }
@@ -70,6 +73,7 @@ pub fn main() -> ExitCode {
         Some(Command::Run(arguments)) => run::run(&arguments),
         Some(Command::Reproduce(arguments)) => reproduce::reproduce(&arguments),
         Some(Command::Experiments(arguments)) => experiments::list(&arguments),
+        Some(Command::World(arguments)) => world::world(&arguments),
         Some(Command::Bench(arguments)) => bench::bench(&arguments),
     };
     match result {

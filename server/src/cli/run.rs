@@ -1,7 +1,7 @@
 //! `sonarium run`.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::Args;
@@ -9,7 +9,7 @@ use indicatif::ProgressBar;
 use serde::Deserialize;
 use serde_json::Value as Json;
 
-use super::{Failure, cores, default_data, output};
+use super::{Failure, cores, default_data, output, world};
 use crate::batch;
 use crate::catalog::{Catalog, FieldError, Plan, flatten, from_text};
 use crate::session::Run;
@@ -39,6 +39,11 @@ pub(super) struct Arguments {
     /// Trials, 1 to 100000
     #[arg(long)]
     trials: Option<u32>,
+    /// World of this run: a TOML file, or the YAML file of a ROS map; `--set world=NAME` takes one by name
+    #[arg(long, value_name = "FILE")]
+    world: Option<PathBuf>,
+    #[command(flatten)]
+    placing: world::Placing,
     /// Folder for logs and reports; `sonarium serve --data DIR` shows them
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -49,8 +54,12 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let own_worlds = arguments.out.clone().unwrap_or_else(default_data).join("worlds");
-    let catalog = Catalog::load(Some(&own_worlds))?;
-    let requests = requests(arguments)?;
+    let mut catalog = Catalog::load(Some(&own_worlds))?;
+    let mut requests = requests(arguments)?;
+    match &arguments.world {
+        Some(file) => give_world(&mut catalog, &mut requests, file, &arguments.placing)?,
+        None => arguments.placing.refuse_without_world()?,
+    }
     let plans: Vec<Plan> = requests
         .iter()
         .map(|request| catalog.resolve(request))
@@ -65,6 +74,24 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         None => run_all(&plans, &progress, print)?,
     }
     progress.finish_and_clear();
+    Ok(())
+}
+
+/// Takes the world of a file for these runs, whatever else has its name.
+fn give_world(
+    catalog: &mut Catalog,
+    requests: &mut [NewSession],
+    file: &Path,
+    placing: &world::Placing,
+) -> Result<(), Failure> {
+    let world = world::read(file, placing)?.checked(file)?;
+    for request in requests {
+        let chosen = request.settings.insert("world".to_owned(), world.name.clone().into());
+        if chosen.is_some() {
+            return Err(Failure::Input("give either --world or --set world=NAME".to_owned()));
+        }
+    }
+    catalog.give_world(world);
     Ok(())
 }
 

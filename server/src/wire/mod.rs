@@ -9,6 +9,7 @@ mod session;
 mod stream;
 mod tick;
 mod typescript;
+mod world;
 
 pub use experiment::*;
 pub use reproduction::*;
@@ -16,3 +17,4 @@ pub use session::*;
 pub use stream::*;
 pub use tick::*;
 pub use typescript::typescript;
+pub use world::*;

@@ -7,6 +7,8 @@ use serde_json::Value;
 use ts_rs::TS;
 use utoipa::ToSchema;
 
+use super::PlaceView;
+
 /// The state of a session. It is never a lie: after a crash it reads `interrupted`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS, ToSchema)]
 #[serde(rename_all = "lowercase")]
@@ -236,7 +238,7 @@ pub struct RunResult {
 }
 
 /// RFC 9457 problem details.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS, ToSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
 pub struct Problem {
     /// What kind of problem, as a relative reference, e.g. `/problems/out-of-range`.
     #[serde(rename = "type")]
@@ -249,4 +251,8 @@ pub struct Problem {
     pub detail: String,
     /// The field at fault, e.g. `settings.sonar.noise`.
     pub field: Option<String>,
+    /// The place at fault in a world.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[ts(optional)]
+    pub place: Option<PlaceView>,
 }

@@ -39,6 +39,8 @@ fn declarations(config: &Config) -> Vec<String> {
         ReproductionTarget, ReproductionArm, ReproductionProgress, ReproductionState,
         Reproduction, ReproductionRow, Verdict, ReproductionCurve, ReproductionPoint,
         ReproductionPicture,
+        WorldFile, WorldRegion, WorldRule, AxisName, WorldHome, WorldGoal, PlaceView, WorldProblem,
+        WorldSummary, WorldCheck, RegionShape, RegionProposal, TraceRequest, TraceDraft, MapPicture,
     )
 }
 
