@@ -68,7 +68,6 @@ async function underlayOf(picture: MapPicture): Promise<Underlay | null> {
     // Without the picture the traced walls are still there.
     return null;
   }
-  const { origin, width_m, height_m } = picture;
-  const corner: [number, number] = [origin.x_m, origin.y_m];
-  return { image, corner, turn_deg: origin.yaw_deg, width_m, height_m };
+  const { corner, yaw_deg, width_m, height_m } = picture;
+  return { image, corner: [corner.x_m, corner.y_m], turn_deg: yaw_deg, width_m, height_m };
 }

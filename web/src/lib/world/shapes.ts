@@ -58,13 +58,14 @@ export interface WorldCheck {
   distance_m: number;
   way_m: number | null;
   robot_radius_m: number;
-  taken: 'own' | 'built_in' | null;
+  taken: string | null;
 }
 export interface MapPicture {
   png_base64: string;
   width_px: number;
   height_px: number;
-  origin: { x_m: number; y_m: number; yaw_deg: number };
+  corner: PlaceView;
+  yaw_deg: number;
   width_m: number;
   height_m: number;
 }
