@@ -23,7 +23,7 @@ pub use error::WorldError;
 pub use file::{Axis, GoalFile, HomeFile, RegionFile, RuleFile, WorldFile};
 pub use partition::{DEFAULT_REGIONS, propose_regions, way_m};
 pub use region::{HalfPlane, Region};
-pub use scan::RayRing;
+pub use scan::{RayFan, RayRing};
 pub use segments::{Hit, Segment};
 
 use crate::geometry::{Pose, Vec2};

@@ -6,6 +6,7 @@
 mod experiment;
 mod reproduction;
 mod session;
+mod start;
 mod stream;
 mod tick;
 mod typescript;
@@ -14,6 +15,7 @@ mod world;
 pub use experiment::*;
 pub use reproduction::*;
 pub use session::*;
+pub use start::*;
 pub use stream::*;
 pub use tick::*;
 pub use typescript::typescript;

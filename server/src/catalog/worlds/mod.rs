@@ -14,7 +14,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use rust_embed::Embed;
-use sonarium_core::robot::B21Settings;
+use sonarium_core::robot::Robot;
 use sonarium_core::world::{World, WorldFile};
 
 use super::{CatalogError, FieldError};
@@ -24,8 +24,12 @@ use own::OwnWorlds;
 /// The world a session runs in unless told otherwise.
 pub const DEFAULT_WORLD: &str = "laboratory";
 
-/// Worlds of stored sessions that are kept checked; listing sessions asks for them again and again.
-const MOST_KEPT: usize = 16;
+/// Radius of the B21, metres: every world has room for at least that robot.
+const RADIUS_M: f64 = 0.265;
+
+/// Checked worlds that are kept: those of stored sessions and for larger robots, which are asked for
+/// again and again.
+const MOST_KEPT: usize = 64;
 
 #[derive(Embed)]
 #[folder = "$CARGO_MANIFEST_DIR/../assets/worlds"]
@@ -38,8 +42,17 @@ pub struct Worlds {
     own: OwnWorlds,
     /// Worlds given for this run alone; they come before all others.
     given: BTreeMap<String, NamedWorld>,
-    /// Worlds of stored sessions, the latest last.
-    kept: Mutex<Vec<NamedWorld>>,
+    /// Worlds checked before, the latest last.
+    kept: Mutex<Vec<Kept>>,
+}
+
+/// A world checked for a robot of a radius.
+#[derive(Debug)]
+struct Kept {
+    name: String,
+    text: String,
+    radius_m: f64,
+    checked: Result<NamedWorld, String>,
 }
 
 /// A world and the text it was read from.
@@ -152,37 +165,70 @@ impl Worlds {
         })
     }
 
-    /// The world of a stored session, from the text it was stored with.
+    /// A world by name, checked for a robot.
     ///
     /// # Errors
-    /// When this program cannot read it.
-    pub fn stored(&self, name: &str, text: &str) -> Result<NamedWorld, FieldError> {
-        let same = |world: &NamedWorld| world.name == name && world.text == text;
-        if let Some(world) = self.built_in.get(name).filter(|world| same(world)) {
-            return Ok(world.clone());
+    /// When there is none, it is broken, or the robot does not fit; the field is `settings.world`.
+    pub fn fitting(&self, name: &str, robot: &Robot) -> Result<NamedWorld, FieldError> {
+        self.for_robot(self.get(name)?, robot)
+    }
+
+    /// The world of a stored session, from the text it was stored with, checked for its robot.
+    ///
+    /// # Errors
+    /// When this program cannot read it, or the robot does not fit.
+    pub fn stored(&self, name: &str, text: &str, robot: &Robot) -> Result<NamedWorld, FieldError> {
+        let built_in = self.built_in.get(name).filter(|world| world.text == text).cloned();
+        let world = match built_in {
+            Some(world) => world,
+            None => self
+                .checked(name, text, RADIUS_M)
+                .map_err(|why| FieldError::new("settings.world", why))?,
+        };
+        self.for_robot(world, robot)
+    }
+
+    /// The worlds that a robot fits into, the default first.
+    #[must_use]
+    pub fn infos(&self, default: &str, robot: &Robot) -> Vec<WorldInfo> {
+        let usable = self.summaries().into_iter().filter(|world| world.problem.is_none());
+        let fitting = usable.filter(|world| self.fitting(&world.name, robot).is_ok());
+        let mut infos: Vec<WorldInfo> = fitting
+            .map(|WorldSummary { name, title, summary, .. }| WorldInfo { name, title, summary })
+            .collect();
+        infos.sort_by_key(|info| info.name != default);
+        infos
+    }
+
+    fn for_robot(&self, world: NamedWorld, robot: &Robot) -> Result<NamedWorld, FieldError> {
+        let reach_m = robot.body().reach_m();
+        if reach_m <= RADIUS_M {
+            return Ok(world);
         }
+        self.checked(&world.name, &world.text, reach_m).map_err(|why| {
+            let (name, title) = (&world.name, robot.title());
+            let message = format!("the world `{name}` does not fit the {title}: {why}");
+            FieldError::new("settings.world", message)
+        })
+    }
+
+    /// A world checked for a robot that needs this radius to turn on the spot.
+    fn checked(&self, name: &str, text: &str, radius_m: f64) -> Result<NamedWorld, String> {
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(world) = kept.iter().find(|world| same(world)) {
-            return Ok(world.clone());
+        let same = |kept: &&Kept| {
+            kept.name == name && kept.text == text && kept.radius_m.total_cmp(&radius_m).is_eq()
+        };
+        if let Some(found) = kept.iter().find(same) {
+            return found.checked.clone();
         }
-        let world = read(name, text.to_owned())
-            .map_err(|broken| FieldError::new("settings.world", broken.problem.message))?;
+        let world = read_for(name, text.to_owned(), radius_m);
+        let checked = world.map_err(|broken| broken.problem.message);
         if kept.len() == MOST_KEPT {
             kept.remove(0);
         }
-        kept.push(world.clone());
-        Ok(world)
-    }
-
-    /// The usable worlds, the default first.
-    #[must_use]
-    pub fn infos(&self) -> Vec<WorldInfo> {
-        let usable = self.summaries().into_iter().filter(|world| world.problem.is_none());
-        let info = |world: WorldSummary| {
-            let WorldSummary { name, title, summary, .. } = world;
-            WorldInfo { name, title, summary }
-        };
-        usable.map(info).collect()
+        let (name, text) = (name.to_owned(), text.to_owned());
+        kept.push(Kept { name, text, radius_m, checked: checked.clone() });
+        checked
     }
 
     /// All worlds, the default first and the user's own last.
@@ -276,14 +322,19 @@ impl Worlds {
     }
 }
 
-/// Reads and checks a world.
+/// Reads a world and checks it for the least robot there is.
 ///
 /// # Errors
 /// What is wrong with it: where, and what would be right.
 pub fn read(name: &str, text: String) -> Result<NamedWorld, Box<BrokenWorld>> {
+    read_for(name, text, RADIUS_M)
+}
+
+/// Reads a world and checks it for a robot that needs this radius to turn on the spot.
+fn read_for(name: &str, text: String, radius_m: f64) -> Result<NamedWorld, Box<BrokenWorld>> {
     let file = parse(&text).map_err(|problem| BrokenWorld { file: None, problem })?;
     let problem = if file.name == name {
-        match World::new(&file, robot_radius_m()) {
+        match World::new(&file, radius_m) {
             Ok(world) => {
                 return Ok(NamedWorld { name: name.to_owned(), text, world: Arc::new(world) });
             }
@@ -310,10 +361,10 @@ pub fn parse(text: &str) -> Result<WorldFile, WorldProblem> {
     })
 }
 
-/// Radius of the robot that has to find its way, metres.
+/// Radius of the robot that every world has room for, metres.
 #[must_use]
 pub fn robot_radius_m() -> f64 {
-    B21Settings::default().radius_m
+    RADIUS_M
 }
 
 /// The name of a world that comes nearest to a text.

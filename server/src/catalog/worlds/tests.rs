@@ -16,7 +16,9 @@ fn a_broken_world_of_the_users_is_refused_when_chosen() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("bad.toml"), "name = ").expect("written");
     let worlds = Worlds::load(Some(folder.path())).expect("the embedded ones are fine");
-    assert!(worlds.infos().iter().all(|info| info.name != "bad"));
+    let robots = super::super::robots::embedded().expect("the embedded ones are fine");
+    let infos = worlds.infos(DEFAULT_WORLD, &robots["b21"]);
+    assert!(!infos.is_empty() && infos.iter().all(|info| info.name != "bad"));
     let error = worlds.get("bad").expect_err("it is broken");
     assert_eq!(error.field, "settings.world");
     assert!(error.message.starts_with("the world `bad` cannot be used: "), "{error}");
