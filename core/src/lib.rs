@@ -3,7 +3,8 @@
 //! Everything here is a state machine: an observation goes in, a decision comes out, with its
 //! explanation. Time and randomness are parameters; there is no clock, no file, no thread.
 //! Data flows one way: [`world`] → [`robot`] → [`fuzzy`] → [`control`] → [`learner`] → [`experiment`];
-//! [`stats`] judges what came out.
+//! [`stats`] judges what came out. Chapters 3 and 4 are [`tabular`] and [`labyrinth`], with the same experiments'
+//! form; [`perception`] estimates what noisy readings say.
 //!
 //! ```
 //! use std::sync::Arc;
@@ -30,9 +31,12 @@ pub mod control;
 pub mod experiment;
 pub mod fuzzy;
 pub mod geometry;
+pub mod labyrinth;
 pub mod learner;
+pub mod perception;
 pub mod rng;
 pub mod robot;
 pub mod settings;
 pub mod stats;
+pub mod tabular;
 pub mod world;
