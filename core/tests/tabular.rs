@@ -40,7 +40,11 @@ fn setup(world: AnyWorld, kind: LearnerKind, discount: f64, planning: u32) -> Wa
     WalkSetup {
         rule: LearnerRule {
             kind,
-            rate: if actor { 0.1 } else { 0.2 },
+            rate: match (actor, world.mdp().is_deterministic()) {
+                (true, _) => 0.1,
+                (false, true) => 0.2,
+                (false, false) => 0.05,
+            },
             discount,
             actor_rate: 0.5,
             planning,
@@ -87,7 +91,9 @@ fn every_learner_finds_the_best_return_of_every_world() {
             let found = learned(setup(world.clone(), kind, discount, 10), 4_000, 1);
             // An actor values its own careful steps, so that it shuns pits more than it must; and that
             // it converges at all nobody has shown (section 3.6).
-            let allowed = if kind == LearnerKind::Ahc { 0.1 } else { 0.03 };
+            // And at a fixed rate the values of an uncertain world never come to rest.
+            let certain = kind != LearnerKind::Ahc && world.mdp().is_deterministic();
+            let allowed = if certain { 0.03 } else { 0.1 };
             assert!(found > best - allowed * best.abs(), "{kind:?} in {name}: {found} of {best}");
             assert!(found < best + 1e-9, "{kind:?} in {name}: {found} above {best}");
         }

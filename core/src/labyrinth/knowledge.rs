@@ -150,8 +150,8 @@ mod tests {
     fn the_estimate_never_promises_less_than_the_way() {
         for goal in 0..STATES {
             let (knowledge, exact) = (of(goal), distances(goal));
-            for state in 0..STATES {
-                assert!(knowledge.estimate[state] <= f64::from(exact[state]), "{state} to {goal}");
+            for (state, estimate) in knowledge.estimate.iter().enumerate() {
+                assert!(*estimate <= f64::from(exact[state]), "{state} to {goal}");
             }
         }
     }
