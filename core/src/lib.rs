@@ -4,6 +4,8 @@
 //! explanation. Time and randomness are parameters; there is no clock, no file, no thread.
 //! Data flows one way: [`world`] → [`robot`] → [`fuzzy`] → [`control`] → [`learner`] → [`experiment`];
 //! [`planner`] finds the path that a learner could not better; [`stats`] judges what came out.
+//! Chapters 3 and 4 are [`tabular`] and [`labyrinth`], with experiments of the same form;
+//! [`perception`] estimates what noisy readings say.
 //!
 //! ```
 //! use std::sync::Arc;
@@ -32,10 +34,13 @@ pub mod control;
 pub mod experiment;
 pub mod fuzzy;
 pub mod geometry;
+pub mod labyrinth;
 pub mod learner;
+pub mod perception;
 pub mod planner;
 pub mod rng;
 pub mod robot;
 pub mod settings;
 pub mod stats;
+pub mod tabular;
 pub mod world;
