@@ -17,6 +17,7 @@
 mod algorithm;
 mod annealing;
 mod band;
+mod carry;
 mod critic;
 mod exchange;
 mod explanation;
@@ -29,6 +30,7 @@ mod stochastic;
 mod trial_end;
 
 pub use algorithm::{Learner, Recall, Silence};
+pub use carry::CarryError;
 pub use exchange::{Consequence, Decision, Observation};
 pub use explanation::*;
 pub use input::{DISTANCE_UNITS, INPUTS, Input, InputSettings, SonarFrame};

@@ -4,6 +4,7 @@
 //! generated from these types, and a test fails when it is stale.
 
 mod experiment;
+mod network;
 mod reproduction;
 mod session;
 mod start;
@@ -12,6 +13,7 @@ mod tick;
 mod typescript;
 
 pub use experiment::*;
+pub use network::*;
 pub use reproduction::*;
 pub use session::*;
 pub use start::*;
