@@ -1,6 +1,7 @@
 //! What can be run: experiments, robots, presets and worlds, and how a request becomes full settings.
 
 mod experiments;
+mod network;
 mod plan;
 mod presets;
 mod robots;
@@ -9,6 +10,7 @@ mod values;
 mod worlds;
 
 pub use experiments::Experiment;
+pub use network::Trained;
 pub use plan::{FieldError, Plan, speed as check_speed};
 pub use presets::Preset;
 pub use starts::starts_from_text;

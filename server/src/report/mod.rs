@@ -54,6 +54,8 @@ pub struct SessionReport {
     pub preset: PresetInfo,
     /// The world it runs in.
     pub world: WorldView,
+    /// The file of the networks it began with, if it began with some.
+    pub network: Option<String>,
     /// What the networks do from altered starts, where there are any.
     pub starts: Vec<AlteredStartView>,
     /// The event log, oldest first.

@@ -54,6 +54,7 @@ pub(super) fn session_report() -> SessionReport {
             settings: BTreeMap::new(),
         },
         world: world(),
+        network: None,
         starts: Vec::new(),
         events: events(),
         pictures: vec![picture(1), picture(20)],

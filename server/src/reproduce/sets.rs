@@ -124,6 +124,7 @@ impl Sets<'_> {
             settings: arm.values(),
             trials: Some(target.trials),
             speed: None,
+            network: None,
         })?)
     }
 }

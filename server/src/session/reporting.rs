@@ -73,6 +73,7 @@ impl Reporter<'_> {
             world: world_view(&plan),
             events: self.lab.store().events(id, LINES)?,
             pictures: self.stills(id, &plan, &trials, &starts)?,
+            network: self.lab.store().network(id)?,
             starts: starts.into_iter().map(AlteredStartView::without_paths).collect(),
             build: crate::build(),
             session,

@@ -4,6 +4,7 @@
 //! generated from these types, and a test fails when it is stale.
 
 mod experiment;
+mod network;
 mod reproduction;
 mod session;
 mod start;
@@ -14,6 +15,7 @@ mod world;
 mod yardstick;
 
 pub use experiment::*;
+pub use network::*;
 pub use reproduction::*;
 pub use session::*;
 pub use start::*;

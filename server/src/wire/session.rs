@@ -74,6 +74,22 @@ pub struct NewSession {
     #[serde(default)]
     #[ts(optional)]
     pub speed: Option<Speed>,
+    /// Trained networks to begin with instead of empty ones: a network file, or the identifier of a
+    /// session, whose networks are taken as its last finished trial left them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[ts(optional, type = "string | NetworkFile")]
+    #[schema(value_type = Option<NetworkSource>)]
+    pub network: Option<Value>,
+}
+
+/// Where trained networks come from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(untagged)]
+pub enum NetworkSource {
+    /// A session's identifier.
+    Session(String),
+    /// A network file.
+    File(Box<super::NetworkFile>),
 }
 
 /// A session.

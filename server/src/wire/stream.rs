@@ -149,7 +149,8 @@ pub struct WorldView {
 }
 
 /// Where a sonar sits and looks, robot frame: x ahead, y to the left.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, utoipa::ToSchema)]
+#[serde(deny_unknown_fields)]
 pub struct SonarView {
     /// Metres.
     pub x_m: f64,

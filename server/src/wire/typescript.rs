@@ -34,7 +34,7 @@ fn declarations(config: &Config) -> Vec<String> {
         Trial, Summary, RunResult, Yardstick, PlannedPath, Problem,
         PoseView, TickView, WinnerView, ReflexView, ExplorationView, AdaptationView, OutcomeView,
         NeuronView, BirthView, TrialEndView, ChangeView, AimView, ProposalView,
-        StartView, AlteredStartView, ExcursionView,
+        StartView, AlteredStartView, ExcursionView, NetworkFile, InputSpans, GoalView,
         ServerMessage, Hello, WorldView, SonarView, CurvePoint, LogEntry,
         ClientMessage, ArenaRequest, ThemeName,
         ReproductionTarget, ReproductionArm, ReproductionProgress, ReproductionState,

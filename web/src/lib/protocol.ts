@@ -107,7 +107,10 @@ settings?: Record<string, number | string | boolean>,
 /** Number of trials. */
 trials?: number,
 /** Pace; 30 ticks a second when missing. */
-speed?: Speed, };
+speed?: Speed,
+/** Trained networks to begin with instead of empty ones: a network file, or the identifier of a
+ * session, whose networks are taken as its last finished trial left them. */
+network?: string | NetworkFile, };
 
 /** A session. */
 export type Session = {
@@ -511,6 +514,58 @@ collisions: number,
 silent_pct: number,
 /** True positions, metres, the start first; left out of `run --json`. */
 path_m?: Array<[number, number]>, };
+
+/** Trained networks with everything that decides where they can be used. */
+export type NetworkFile = {
+/** `sonarium-network`. */
+format: string,
+/** [`NETWORK_VERSION`]. */
+version: number,
+/** Program version and commit that trained them. */
+build: string,
+/** Experiment they were trained in. */
+experiment: string,
+/** Robot they were trained on. */
+robot: string,
+/** Its sonars, in the order of the inputs. */
+sonars: Array<SonarView>,
+/** How readings became inputs. */
+input: InputSpans,
+/** Frame of the prototypical actions: `heading`, `rotation` or `goal`. */
+action_frame: string,
+/** World they were trained in. */
+world: string,
+/** Regions of that world, one network each; `all` when there was one network for all. */
+regions: Array<string>,
+/** Goal they were trained for. */
+goal: GoalView,
+/** Every setting of the training. */
+settings: Record<string, number | string | boolean>,
+/** Seed of the training. */
+seed: number,
+/** Trials of the training. */
+trials: number,
+/** The neurons of each network, in the order of the regions. Angles are radians where the name says
+ * so, since a file must give back every bit. */
+networks: unknown[][], };
+
+/** How readings became inputs. */
+export type InputSpans = {
+/** Sonar reading that becomes 1, metres. */
+sonar_span_m: number,
+/** Distance to the goal that becomes 1, metres. */
+distance_span_m: number,
+/** Frame of the sonars: `robot` or `odometry`. */
+sonar_frame: string, };
+
+/** A goal. */
+export type GoalView = {
+/** Metres. */
+x_m: number,
+/** Metres. */
+y_m: number,
+/** Metres. */
+radius_m: number, };
 
 /** A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`);
  * `tick`, `depths` and `neurons` are samples of the present and repeat the number of the last event.

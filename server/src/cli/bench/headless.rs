@@ -60,6 +60,7 @@ fn plan(catalog: &Catalog, seed: u64, trials: u32) -> Result<Plan, Failure> {
         settings: Default::default(),
         trials: Some(trials),
         speed: None,
+        network: None,
     })?)
 }
 
@@ -86,7 +87,7 @@ fn logged_steps_a_second(catalog: &Catalog, store: &Store, k: u64) -> Result<f64
     store.insert_session(&row)?;
     let mut run = Run::new(&plan)?;
     let start = Instant::now();
-    let log = LogWriter::create(store, &row.id, &log_header(&row))?;
+    let log = LogWriter::create(store, &row.id, &log_header(&row, None))?;
     let (mut steps, mut trials) = (0_u64, 0);
     while trials < plan.trials {
         let stepped = run.step();

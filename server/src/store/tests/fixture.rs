@@ -43,7 +43,7 @@ pub(super) fn row(id: &str) -> SessionRow {
 
 pub(super) fn header() -> LogHeader {
     let SessionRow { experiment, seed, settings, trials, build, world_text, .. } = row(ID);
-    LogHeader { experiment, seed, settings, trials, build, world_text }
+    LogHeader { experiment, seed, settings, trials, build, world_text, network_text: None }
 }
 
 pub(super) fn create(store: &Store) -> LogWriter {
