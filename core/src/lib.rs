@@ -34,5 +34,6 @@ pub mod learner;
 pub mod rng;
 pub mod robot;
 pub mod settings;
+mod simd;
 pub mod stats;
 pub mod world;

@@ -25,6 +25,7 @@ mod memory;
 mod network;
 mod reward;
 mod settings;
+mod sketch;
 mod stochastic;
 mod trial_end;
 

@@ -7,16 +7,16 @@
 //! `100·ρ·(1 − d/0.5 m)` percent at a clearance `d` from the shell. With ρ = 0.875 the 70 % of a
 //! virtual collision is crossed at 0.10 m. The tactile ring answers when that clearance is gone.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
-use crate::geometry::{Pose, Vec2};
+use crate::geometry::{Pose, Vec2, unit};
 use crate::rng::{Purpose, stream};
-use crate::world::{RayRing, World};
+use crate::world::{RayFan, RayRing, World};
 
 use super::motion::{Course, Motion};
 
@@ -143,11 +143,14 @@ impl B21 {
     /// A robot at the world's home, ready for the first trial.
     #[must_use]
     pub fn new(world: Arc<World>, settings: B21Settings, seed: u64) -> Self {
+        let sonar = |index: usize| {
+            let axis_rad = TAU * index as f64 / SONARS as f64;
+            RayFan { place: unit(axis_rad) * settings.radius_m, axis_rad }
+        };
         let ring = RayRing::new(
-            SONARS,
+            &std::array::from_fn::<_, SONARS, _>(sonar),
             settings.sonar_rays,
             settings.sonar_cone_rad,
-            settings.radius_m,
             settings.sonar_range_m,
             settings.sonar_critical_rad,
         );

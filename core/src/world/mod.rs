@@ -6,7 +6,10 @@
 //! ([`World::region_at`], Algorithm 8 of section 5.6). All coordinates are in the world frame, in
 //! metres.
 
+mod bearing;
 mod check;
+mod dial;
+mod echoes;
 mod error;
 #[cfg(test)]
 pub(crate) mod examples;
@@ -15,12 +18,13 @@ mod reach;
 mod region;
 mod scan;
 mod segments;
+mod tree;
 
 pub use check::{EXTENT_LIMIT_M, REGION_LIMIT, WALL_LIMIT};
 pub use error::WorldError;
 pub use file::{Axis, GoalFile, HomeFile, RegionFile, RuleFile, WorldFile};
 pub use region::{HalfPlane, Region};
-pub use scan::RayRing;
+pub use scan::{RayFan, RayRing};
 pub use segments::{Hit, Segment};
 
 use crate::geometry::{Pose, Vec2};
