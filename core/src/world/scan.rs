@@ -9,6 +9,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use wide::f64x4;
+
 use crate::geometry::{Vec2, angle, unit};
 use crate::simd::{Level, dispatch};
 
@@ -191,22 +193,15 @@ impl Listener<'_> {
         distance_m - self.shell.radius_m - SLACK_M
     }
 
-    /// Whether what is so far away may still matter to a fan.
+    /// The fans to which something so far away may still matter.
     #[inline(always)]
-    fn concerns(&self, far_m: f64, fan: usize) -> bool {
-        far_m * self.heard.least[fan / LANES][fan % LANES] <= 1.0
-    }
-
-    /// Tries a wall with the blocks of the fans that it may concern.
-    #[inline(always)]
-    fn try_fans(&mut self, mut fans: Fans, far_m: f64, wall: Wall) {
-        while let Some(fan) = fans.next() {
-            if self.concerns(far_m, fan) {
-                let block = fan / LANES;
-                self.shell.try_block(self.heard, block, wall);
-                fans = fans.without_block(block);
-            }
-        }
+    fn concerned(&self, far_m: f64) -> Fans {
+        let far_m = f64x4::splat(far_m);
+        let blocks = self.heard.least.iter().enumerate();
+        blocks.fold(Fans::default(), |fans, (block, least)| {
+            let within = (far_m * f64x4::new(*least)).simd_le(f64x4::ONE);
+            fans.or(Fans::of_block(block, within.to_bitmask()))
+        })
     }
 }
 
@@ -229,7 +224,7 @@ impl Seeker for Listener<'_> {
         let Some(sector) = Sector::of_box(&middle(), self.position, self.direction) else {
             return true;
         };
-        self.shell.dial.fans(sector).any(|fan| self.concerns(far_m, fan))
+        !self.shell.dial.fans(sector).and(self.concerned(far_m)).is_empty()
     }
 
     #[inline(always)]
@@ -237,11 +232,13 @@ impl Seeker for Listener<'_> {
         let walls = leaf.in_frame(self.position, self.direction);
         let distances_m = leaf.distances2(self.position).map(f64::sqrt);
         let sectors = Sector::of_walls(&walls);
+        let nearest_m = distances_m.into_iter().fold(f64::INFINITY, lesser);
+        let concerned = self.concerned(self.from_shell_m(nearest_m));
         for k in 0..leaf.count {
             let (ax, ay, ex, ey) = (walls.ax[k], walls.ay[k], walls.ex[k], walls.ey[k]);
-            let wall = Wall { ax, ay, ex, ey };
-            let far_m = self.from_shell_m(distances_m[k]);
-            self.try_fans(self.shell.dial.fans(sectors[k]), far_m, wall);
+            for block in self.shell.dial.fans(sectors[k]).and(concerned) {
+                self.shell.try_block(self.heard, block, Wall { ax, ay, ex, ey });
+            }
         }
         let least = self.heard.least.iter().fold([f64::INFINITY; LANES], |least, four| {
             std::array::from_fn(|k| lesser(least[k], four[k]))
