@@ -1,6 +1,7 @@
 //! Sonarium's server: sessions, storage, HTTP, WebSocket, rendering, reports and the command line.
 
 pub mod api;
+pub mod batch;
 pub mod catalog;
 pub mod cli;
 mod clock;

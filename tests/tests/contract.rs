@@ -75,35 +75,72 @@ fn experiments_names_every_setting_with_default_unit_and_source() {
 
 #[test]
 fn reproduce_prints_one_object_a_target_with_published_beside_ours() {
-    for target in ["table-5.1", "all"] {
-        let run = sonarium(&["reproduce", target, "--json"]);
-        assert_eq!(run.code, Some(0), "{}", run.stderr);
-        assert_eq!(run.stdout.lines().count(), 1, "one target so far");
-        let result: Value = serde_json::from_str(&run.stdout).expect("an object a line");
-        assert_eq!(result["target"], "table-5.1");
-        let rows = result["rows"].as_array().expect("rows");
-        assert_eq!(rows.len(), 21);
-        for row in rows {
-            for field in ["ours", "low", "high"] {
-                assert!(row[field].is_number(), "{field} of {row}");
-            }
-            assert_eq!((&row["n"], row["unit"].is_string()), (&json!(200), true), "{row}");
-            let verdict = row["verdict"].as_str().unwrap_or_default();
-            assert!(["agrees", "differs", "cannot tell"].contains(&verdict), "{row}");
-            assert!(row["reading"].as_str().is_some_and(|reading| reading.contains("Preset")));
-        }
-        assert_eq!(
-            (&rows[2]["name"], &rows[2]["published"]),
-            (&json!("default: number of steps, mean"), &json!(27.7))
-        );
+    let run = sonarium(&["reproduce", "table-5.1", "--json"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert_eq!(run.stdout.lines().count(), 1, "one object");
+    let result: Value = serde_json::from_str(&run.stdout).expect("an object a line");
+    assert_eq!(result["target"], "table-5.1");
+    let rows = rows_of(&result);
+    assert_eq!(rows.len(), 21);
+    for row in rows {
+        assert_eq!(row["n"], json!(200), "{row}");
+        assert!(row["reading"].as_str().is_some_and(|reading| reading.contains("Preset")));
     }
+    assert_eq!(
+        (&rows[2]["name"], &rows[2]["published"]),
+        (&json!("default: number of steps, mean"), &json!(27.7))
+    );
     let table = sonarium(&["reproduce", "table-5.1"]).stdout;
     for words in ["seeds 700000..700199", "95 % interval", "Does not agree:", "cannot tell"] {
         assert!(table.contains(words), "the table does not say {words}: {table}");
     }
+    let markdown = sonarium(&["reproduce", "table-5.1", "--markdown"]).stdout;
+    assert!(markdown.contains("| | published | ours |"), "{markdown}");
     let unknown = sonarium(&["reproduce", "table-9.9"]);
     assert_eq!(unknown.code, Some(2), "{}", unknown.stderr);
     assert!(unknown.stderr.contains("`table-5.1`"), "{}", unknown.stderr);
+}
+
+#[test]
+fn reproduce_leaves_curves_and_pictures_in_a_folder() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let out = folder.path().to_str().expect("a plain path");
+    for (target, files) in [
+        (
+            "figure-5.10",
+            vec!["rows.csv", "reproduction.json", "default-first.png", "reflex-last.png"],
+        ),
+        ("figure-5.12", vec!["rows.csv", "reproduction.json", "curves.csv"]),
+    ] {
+        let run = sonarium(&["reproduce", target, "--json", "--out", out]);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        let result: Value = serde_json::from_str(&run.stdout).expect("an object a line");
+        assert!(!rows_of(&result).is_empty());
+        for file in files {
+            let bytes = std::fs::read(folder.path().join(target).join(file)).unwrap_or_default();
+            assert!(bytes.len() > 100, "{target}/{file} has {} bytes", bytes.len());
+        }
+    }
+    let refused = sonarium(&["reproduce", "table-5.1", "--out", "/proc/sonarium"]);
+    assert_eq!(refused.code, Some(2), "{}", refused.stderr);
+    assert!(refused.stderr.contains("--out"), "{}", refused.stderr);
+}
+
+/// The rows of a result, each in the shape that stays.
+fn rows_of(result: &Value) -> &Vec<Value> {
+    let rows = result["rows"].as_array().expect("rows");
+    for row in rows {
+        for field in ["ours", "low", "high", "n"] {
+            assert!(row[field].is_number(), "{field} of {row}");
+        }
+        for field in ["name", "unit", "reading"] {
+            assert!(row[field].is_string(), "{field} of {row}");
+        }
+        assert!(row["published"].is_number() || row["published"].is_null(), "{row}");
+        let verdict = row["verdict"].as_str().unwrap_or_default();
+        assert!(["agrees", "differs", "cannot tell"].contains(&verdict), "{row}");
+    }
+    rows
 }
 
 #[test]

@@ -50,6 +50,10 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(files::trial))
         .routes(routes!(reproductions::list))
         .routes(routes!(reproductions::one))
+        .routes(routes!(reproductions::progress))
+        .routes(routes!(reproductions::rows))
+        .routes(routes!(reproductions::curves))
+        .routes(routes!(reproductions::picture))
         .routes(routes!(stream::open))
 }
 

@@ -1,47 +1,110 @@
-//! `reproductions`: the thesis's tables, computed again.
+//! `reproductions`: what the thesis shows and claims, computed again.
 
+use std::sync::Arc;
 use std::thread::available_parallelism;
 
 use axum::Json;
-use tokio::sync::OnceCell;
+use axum::extract::State;
+use axum::http::header;
+use axum::response::{IntoResponse, Response};
+use serde::Deserialize;
+use utoipa::IntoParams;
 
-use super::blocking;
-use super::extract::Path;
+use super::App;
+use super::arena::{Size, png};
+use super::extract::{Path, Query};
 use super::problem::Failure;
-use crate::reproduce::{ReproductionError, TARGETS, Target, target};
-use crate::wire::{Problem, Reproduction, ReproductionTarget};
+use crate::render::Quality;
+use crate::reproduce::{
+    Findings, ReproductionError, Shelf, TARGETS, Target, curves_csv, rows_csv, target,
+};
+use crate::wire::{Problem, Reproduction, ReproductionProgress, ReproductionTarget, ThemeName};
 
-/// Results in the order of [`TARGETS`]. They follow from the build alone, so one computation serves the
-/// whole process.
-static RESULTS: [OnceCell<Reproduction>; TARGETS.len()] =
-    [const { OnceCell::const_new() }; TARGETS.len()];
+/// How a picture is drawn.
+#[derive(Deserialize, IntoParams)]
+#[serde(deny_unknown_fields)]
+#[into_params(parameter_in = Query)]
+pub(super) struct PictureQuery {
+    /// Pixels, 1 to 4096; 720 when missing.
+    width: Option<u32>,
+    /// Pixels, 1 to 4096; 640 when missing.
+    height: Option<u32>,
+    /// Theme.
+    #[serde(default)]
+    #[param(inline)]
+    theme: ThemeName,
+}
 
 /// All tables and figures that can be computed again
 #[utoipa::path(get, path = "/reproductions", tag = "reproductions",
     responses((status = 200, body = [ReproductionTarget])))]
 pub(super) async fn list() -> Json<Vec<ReproductionTarget>> {
-    Json(TARGETS.map(Target::info).to_vec())
+    Json(TARGETS.iter().map(|target| target.info()).collect())
 }
 
 /// One of them, published figures beside ours
 ///
-/// The first request computes it, in seconds; others wait for the same result.
+/// The first request computes it, in seconds to minutes; others wait for the same result. The
+/// computation goes on when the one who asked leaves.
 #[utoipa::path(get, path = "/reproductions/{target}", tag = "reproductions",
     params(("target" = String, Path, description = "Name of the target")),
     responses((status = 200, body = Reproduction), (status = 404, body = Problem)))]
 pub(super) async fn one(Path(name): Path<String>) -> Result<Json<Reproduction>, Failure> {
-    let target = target(&name)?;
-    // A task of its own, so that a visitor who leaves does not undo the work for those who wait.
-    let result = tokio::spawn(result(target)).await;
-    result.map_err(|error| Failure::internal(error.to_string()))?.map(Json)
+    let (target, findings) = findings(&name).await?;
+    Ok(Json(findings.wire(target)))
 }
 
-async fn result(target: &'static Target) -> Result<Reproduction, Failure> {
-    let place = TARGETS.iter().position(|known| known.name == target.name);
-    let cell = place.and_then(|place| RESULTS.get(place));
-    let cell = cell.ok_or_else(|| Failure::internal("a target without a place"))?;
-    let compute = || blocking(|| target.run(threads(), &|| ()));
-    cell.get_or_try_init(compute).await.cloned()
+/// How far it is; starts nothing
+#[utoipa::path(get, path = "/reproductions/{target}/progress", tag = "reproductions",
+    params(("target" = String, Path, description = "Name of the target")),
+    responses((status = 200, body = ReproductionProgress), (status = 404, body = Problem)))]
+pub(super) async fn progress(
+    Path(name): Path<String>,
+) -> Result<Json<ReproductionProgress>, Failure> {
+    Ok(Json(Shelf::of_process().progress(target(&name)?)?))
+}
+
+/// Its rows for a spreadsheet
+#[utoipa::path(get, path = "/reproductions/{target}/rows.csv", tag = "reproductions",
+    params(("target" = String, Path, description = "Name of the target")),
+    responses((status = 200, content_type = "text/csv", body = String),
+        (status = 404, body = Problem)))]
+pub(super) async fn rows(Path(name): Path<String>) -> Result<Response, Failure> {
+    let (target, findings) = findings(&name).await?;
+    Ok(csv(target, "rows", rows_csv(&findings.rows)))
+}
+
+/// Its curves for a spreadsheet
+#[utoipa::path(get, path = "/reproductions/{target}/curves.csv", tag = "reproductions",
+    params(("target" = String, Path, description = "Name of the target")),
+    responses((status = 200, content_type = "text/csv", body = String),
+        (status = 404, body = Problem)))]
+pub(super) async fn curves(Path(name): Path<String>) -> Result<Response, Failure> {
+    let (target, findings) = findings(&name).await?;
+    Ok(csv(target, "curves", curves_csv(&findings.curves)))
+}
+
+/// One of its pictures
+#[utoipa::path(get, path = "/reproductions/{target}/pictures/{name}", tag = "reproductions",
+    params(("target" = String, Path, description = "Name of the target"),
+        ("name" = String, Path, description = "Name of the picture, with or without `.png`"),
+        PictureQuery),
+    responses((status = 200, content_type = "image/png", body = [u8]), (status = 404, body = Problem),
+        (status = 422, body = Problem)))]
+pub(super) async fn picture(
+    State(app): State<App>,
+    Path((target, name)): Path<(String, String)>,
+    Query(query): Query<PictureQuery>,
+) -> Result<Response, Failure> {
+    let size = Size::new(query.width.unwrap_or(720), query.height.unwrap_or(640))?;
+    let (_, findings) = findings(&target).await?;
+    let view = findings.picture(name.trim_end_matches(".png"))?.view.clone();
+    png(&app, view, size, query.theme, Quality::Balanced).await
+}
+
+async fn findings(name: &str) -> Result<(&'static Target, Arc<Findings>), Failure> {
+    let target = target(name)?;
+    Ok((target, Shelf::of_process().findings(target, threads()).await?))
 }
 
 /// Half of what there is: sessions go on meanwhile.
@@ -49,13 +112,22 @@ fn threads() -> usize {
     available_parallelism().map_or(1, |cores| cores.get() / 2)
 }
 
+fn csv(target: &Target, what: &str, text: String) -> Response {
+    let disposition = format!("attachment; filename=\"{}-{what}.csv\"", target.name);
+    let headers = [
+        (header::CONTENT_TYPE, "text/csv; charset=utf-8".to_owned()),
+        (header::CONTENT_DISPOSITION, disposition),
+        (header::X_CONTENT_TYPE_OPTIONS, "nosniff".to_owned()),
+    ];
+    (headers, text).into_response()
+}
+
 impl From<ReproductionError> for Failure {
     fn from(error: ReproductionError) -> Self {
         match error {
             ReproductionError::Unknown { .. } => Self::not_found(error.to_string()).at("target"),
-            ReproductionError::Catalog(_) | ReproductionError::Field(_) => {
-                Self::internal(error.to_string())
-            }
+            ReproductionError::NoPicture { .. } => Self::not_found(error.to_string()).at("name"),
+            ReproductionError::Broken(_) => Self::internal(error.to_string()),
         }
     }
 }
@@ -75,7 +147,11 @@ mod tests {
         assert_eq!(one.json()["target"], "table-5.1");
         assert_eq!(one.json()["rows"].as_array().map(Vec::len), Some(21));
         assert_eq!(one.bytes, other.bytes);
-        assert!(super::RESULTS[0].initialized(), "kept for the next");
+        let progress = house.get("/api/v1/reproductions/table-5.1/progress").await.json();
+        assert_eq!(progress["state"], "done");
+        assert_eq!((&progress["done"], &progress["of"]), (&json!(600), &json!(600)), "once");
+        let csv = house.get("/api/v1/reproductions/table-5.1/rows.csv").await;
+        assert_eq!(String::from_utf8_lossy(&csv.bytes).lines().count(), 22, "a header and 21 rows");
     }
 
     #[tokio::test]
@@ -87,7 +163,9 @@ mod tests {
             (&list[0]["first_seed"], &list[0]["last_seed"]),
             (&json!(700_000), &json!(700_199))
         );
-        let answer = house.get("/api/v1/reproductions/table-9.9").await;
-        assert_eq!((answer.status.as_u16(), &answer.json()["field"]), (404, &json!("target")));
+        for end in ["", "/progress", "/rows.csv", "/curves.csv", "/pictures/default-first"] {
+            let answer = house.get(&format!("/api/v1/reproductions/table-9.9{end}")).await;
+            assert_eq!((answer.status.as_u16(), &answer.json()["field"]), (404, &json!("target")));
+        }
     }
 }

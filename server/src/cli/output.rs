@@ -1,7 +1,8 @@
-//! Results on stdout.
+//! Results on stdout, progress on stderr.
 
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write, stderr};
 
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
 use super::Failure;
@@ -17,6 +18,16 @@ pub(super) fn line(text: &str) -> Result<(), Failure> {
 /// Writes one JSON object on one line.
 pub(super) fn json(value: &impl Serialize) -> Result<(), Failure> {
     line(&serde_json::to_string(value).map_err(|error| Failure::Failed(error.to_string()))?)
+}
+
+/// A bar over so many of something, when stderr is a terminal.
+pub(super) fn progress(total: u64, of_what: &str) -> ProgressBar {
+    if !stderr().is_terminal() {
+        return ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
+    }
+    let template = format!("{{bar:40}} {{pos}}/{{len}} {of_what}, {{eta}} left");
+    let style = ProgressStyle::with_template(&template);
+    ProgressBar::new(total).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 /// The trials of a run as a table for people.

@@ -1,23 +1,19 @@
 //! `sonarium run`.
 
-use std::collections::BTreeMap;
 use std::fs;
-use std::io::{IsTerminal, stderr};
 use std::path::PathBuf;
 use std::str::FromStr;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc;
-use std::thread;
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 use serde::Deserialize;
 use serde_json::Value as Json;
 
 use super::{Failure, cores, default_data, output};
+use crate::batch;
 use crate::catalog::{Catalog, FieldError, Plan, flatten, from_text};
-use crate::session::{Run, summary};
-use crate::wire::{NewSession, RunResult, Trial};
+use crate::session::Run;
+use crate::wire::{NewSession, RunResult};
 
 mod recorded;
 
@@ -62,7 +58,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     // The same settings fit or do not fit for every seed.
     plans.first().map(Run::new).transpose()?;
     let trials = plans.iter().map(|plan| u64::from(plan.trials)).sum();
-    let progress = progress(trials);
+    let progress = output::progress(trials, "trials");
     let print = |result: RunResult| progress.suspend(|| print(&result, arguments.json));
     match &arguments.out {
         Some(folder) => recorded::run(catalog, &requests, folder, &progress, print)?,
@@ -82,68 +78,8 @@ fn run_all(
     progress: &ProgressBar,
     mut take: impl FnMut(RunResult) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let next = AtomicUsize::new(0);
-    let (sender, results) = mpsc::channel();
-    thread::scope(|scope| {
-        for _ in 0..cores().min(plans.len()) {
-            let (next, sender) = (&next, sender.clone());
-            scope.spawn(move || {
-                while let Some((index, plan)) = claim(next, plans) {
-                    let result = run_plan(plan, progress);
-                    if sender.send((index, result)).is_err() {
-                        break;
-                    }
-                }
-            });
-        }
-        drop(sender);
-        let mut early = BTreeMap::new();
-        let mut due = 0;
-        for (index, result) in results {
-            early.insert(index, result?);
-            while let Some(result) = early.remove(&due) {
-                take(result)?;
-                due += 1;
-            }
-        }
-        Ok(())
-    })
-}
-
-fn claim<'a>(next: &AtomicUsize, plans: &'a [Plan]) -> Option<(usize, &'a Plan)> {
-    let index = next.fetch_add(1, Ordering::Relaxed);
-    plans.get(index).map(|plan| (index, plan))
-}
-
-fn run_plan(plan: &Plan, progress: &ProgressBar) -> Result<RunResult, FieldError> {
-    let mut run = Run::new(plan)?;
-    let mut trials = Vec::new();
-    while trials.len() < plan.trials as usize {
-        if let Some(trial) = run.step_silently() {
-            trials.push(trial);
-            progress.inc(1);
-        }
-    }
-    Ok(result(plan, trials))
-}
-
-fn result(plan: &Plan, trials: Vec<Trial>) -> RunResult {
-    RunResult {
-        experiment: plan.experiment.clone(),
-        seed: plan.seed,
-        build: crate::build(),
-        settings: plan.values.clone(),
-        summary: summary(&trials),
-        trials,
-    }
-}
-
-fn progress(trials: u64) -> ProgressBar {
-    if !stderr().is_terminal() {
-        return ProgressBar::with_draw_target(Some(trials), ProgressDrawTarget::hidden());
-    }
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} trials, {eta} left");
-    ProgressBar::new(trials).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    let work = |plan: &Plan| batch::set(plan, || progress.inc(1));
+    batch::in_order(plans, cores(), work, |result| take(result?))
 }
 
 /// What a configuration file says.

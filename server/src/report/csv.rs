@@ -192,7 +192,9 @@ fn row<Row>(columns: &[Column<Row>], row: &Row) -> Vec<String> {
     columns.iter().map(|column| (column.value)(row)).collect()
 }
 
-fn line(cells: &[String]) -> String {
+/// One line of cells.
+#[must_use]
+pub fn line(cells: &[String]) -> String {
     let cells: Vec<String> = cells.iter().map(|cell| quoted(cell)).collect();
     cells.join(",") + "\r\n"
 }

@@ -24,7 +24,7 @@ mod sample;
 mod sample_trial;
 
 pub use archive::{ArchiveError, zip};
-pub use csv::{csv, trial_csv};
+pub use csv::{csv, line as csv_line, trial_csv};
 pub use differences::{Difference, Differences};
 pub use json::{FORMAT_VERSION, json, trial_json};
 pub use session_page::html;

@@ -1,28 +1,56 @@
-//! Tables and figures of the thesis, computed again and held against what it prints.
+//! What the thesis shows and claims, computed again and held against what it prints.
 //!
-//! A target is data: which experiment runs, under which presets and seeds, and which published figures
-//! its last trials are held against. The seeds of targets, 700000 upwards, were used for nothing else:
-//! no setting was chosen on them, and none may be.
+//! A target is data and a function: which experiment runs, with which arms (presets, settings, worlds)
+//! and seeds, and what is found in its sets of trials: rows, curves and pictures. The seeds of targets,
+//! 700000 upwards, were used for nothing else: no setting was chosen on them, and none may be.
+//!
+//! To add one, write a file with a `static` [`Target`] and name it in [`TARGETS`].
 
+mod csv;
+mod curve;
+mod figure_5_10;
+mod findings;
+mod learning_curves;
 mod sets;
+mod shelf;
 mod table_5_1;
 
 #[cfg(test)]
 mod tests;
 
+pub use csv::{curves_csv, rows_csv};
+pub use curve::curve;
+pub use figure_5_10::FIGURE_5_10;
+pub use findings::{Findings, Picture, Row};
+pub use learning_curves::{FIGURE_5_11, FIGURE_5_12, FIGURE_5_13};
+pub use sets::{Kept, Sample, Set, Sets};
+pub use shelf::Shelf;
 pub use table_5_1::TABLE_5_1;
 
+use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
+use serde_json::Value;
 use sonarium_core::stats::Verdict;
 
-use crate::catalog::{Catalog, CatalogError, FieldError};
-use crate::wire::{Reproduction, ReproductionRow, ReproductionTarget, Trial};
+use crate::catalog::{Catalog, CatalogError, FieldError, from_text};
+use crate::wire::{ReproductionArm, ReproductionTarget};
 
 /// Everything that can be reproduced.
-pub static TARGETS: [&Target; 1] = [&TABLE_5_1];
+pub static TARGETS: &[&Target] =
+    &[&TABLE_5_1, &FIGURE_5_10, &FIGURE_5_11, &FIGURE_5_12, &FIGURE_5_13];
 
-/// A table or figure of the thesis.
+/// Seeds of the chapter-5 targets: 200 sets.
+pub const SEEDS: RangeInclusive<u64> = 700_000..=700_199;
+
+/// The presets of the minimum-cost path, each an arm; `reflex` is the control.
+pub const PRESETS: &[Arm] = &[
+    Arm { name: "default", settings: &[("preset", "default")] },
+    Arm { name: "thesis", settings: &[("preset", "thesis")] },
+    Arm { name: "reflex", settings: &[("preset", "reflex")] },
+];
+
+/// A table, a figure or a claim of the thesis.
 #[derive(Clone, Debug)]
 pub struct Target {
     /// Name used in the interface.
@@ -33,20 +61,31 @@ pub struct Target {
     pub compares: &'static str,
     /// Where the thesis has it.
     pub source: &'static str,
+    /// How its words and figures were read, a sentence each.
+    pub readings: &'static [&'static str],
     /// Experiment that is run.
     pub experiment: &'static str,
-    /// Presets that are run, each over all seeds.
-    pub presets: &'static [&'static str],
+    /// What is run, each over all seeds.
+    pub arms: &'static [Arm],
     /// Trials of a set; a set begins with an empty network.
     pub trials: u32,
     /// Seeds, one a set.
     pub seeds: RangeInclusive<u64>,
-    /// The rows of one preset, from the last trial of each set.
-    rows: fn(&Target, &str, &[Trial]) -> Vec<ReproductionRow>,
+    /// Runs the sets and says what is found in them.
+    pub find: fn(&Target, &Sets<'_>) -> Result<Findings, ReproductionError>,
+}
+
+/// One of the learners, or one of the worlds, that a target compares.
+#[derive(Clone, Copy, Debug)]
+pub struct Arm {
+    /// Name, with which the names of its rows begin.
+    pub name: &'static str,
+    /// Preset, world and other settings, as after `--set`.
+    pub settings: &'static [(&'static str, &'static str)],
 }
 
 /// Why a target cannot be computed.
-#[derive(Debug, thiserror::Error)]
+#[derive(Clone, Debug, thiserror::Error)]
 pub enum ReproductionError {
     /// There is no such target.
     #[error("TARGET: there is no target `{name}`; there are {known}")]
@@ -56,12 +95,29 @@ pub enum ReproductionError {
         /// What there is.
         known: String,
     },
-    /// The embedded files are broken.
-    #[error(transparent)]
-    Catalog(#[from] CatalogError),
-    /// A preset does not fit the world.
-    #[error(transparent)]
-    Field(#[from] FieldError),
+    /// There is no such picture.
+    #[error("there is no picture `{name}`; there are {known}")]
+    NoPicture {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        known: String,
+    },
+    /// The embedded files, or the settings of an arm, are broken.
+    #[error("{0}")]
+    Broken(String),
+}
+
+impl From<CatalogError> for ReproductionError {
+    fn from(error: CatalogError) -> Self {
+        Self::Broken(error.to_string())
+    }
+}
+
+impl From<FieldError> for ReproductionError {
+    fn from(error: FieldError) -> Self {
+        Self::Broken(error.to_string())
+    }
 }
 
 /// The target with a name.
@@ -70,17 +126,29 @@ pub enum ReproductionError {
 /// When there is none; the error names those there are.
 pub fn target(name: &str) -> Result<&'static Target, ReproductionError> {
     let found = TARGETS.iter().find(|target| target.name == name);
-    found.copied().ok_or_else(|| ReproductionError::Unknown {
-        name: name.to_owned(),
-        known: TARGETS.map(|target| format!("`{}`", target.name)).join(", "),
-    })
+    found
+        .copied()
+        .ok_or_else(|| ReproductionError::Unknown { name: name.to_owned(), known: known_targets() })
+}
+
+/// The names of all targets, for people.
+#[must_use]
+pub fn known_targets() -> String {
+    let names: Vec<String> = TARGETS.iter().map(|target| format!("`{}`", target.name)).collect();
+    names.join(", ")
 }
 
 impl Target {
-    /// Sets of trials for each preset.
+    /// Sets of trials for each arm.
     #[must_use]
     pub fn sets(&self) -> u32 {
         u32::try_from(self.seeds.clone().count()).unwrap_or(u32::MAX)
+    }
+
+    /// Sets of all arms.
+    #[must_use]
+    pub fn work(&self) -> u32 {
+        self.sets() * u32::try_from(self.arms.len()).unwrap_or(u32::MAX)
     }
 
     /// The target as a user sees it.
@@ -91,29 +159,62 @@ impl Target {
             title: self.title.into(),
             compares: self.compares.into(),
             source: self.source.into(),
+            readings: self.readings.iter().map(|&reading| reading.into()).collect(),
+            experiment: self.experiment.into(),
+            arms: self.arms.iter().map(Arm::info).collect(),
+            trials: self.trials,
             sets: self.sets(),
             first_seed: *self.seeds.start(),
             last_seed: *self.seeds.end(),
             rule: Verdict::RULE.into(),
+            command: format!("sonarium reproduce {}", self.name),
         }
     }
 
     /// Runs every set on `threads` threads, saying `done` after each, and judges the outcome. The result
-    /// depends neither on the threads nor on their order, nor on worlds of the user's.
+    /// depends neither on the threads nor on their order, on what is kept, nor on worlds of the user's.
     ///
     /// # Errors
     /// When an embedded preset or world is broken.
     pub fn run(
         &self,
         threads: usize,
+        kept: &Kept,
         done: &(dyn Fn() + Sync),
-    ) -> Result<Reproduction, ReproductionError> {
+    ) -> Result<Findings, ReproductionError> {
         let catalog = Catalog::load(None)?;
-        let mut rows = Vec::new();
-        for preset in self.presets {
-            let last = sets::last_trials(&catalog, self, preset, threads, done)?;
-            rows.extend((self.rows)(self, preset, &last));
+        (self.find)(self, &Sets { catalog: &catalog, threads, kept, done })
+    }
+}
+
+impl Arm {
+    /// Its settings by key.
+    #[must_use]
+    pub fn values(&self) -> BTreeMap<String, Value> {
+        self.settings.iter().map(|&(key, value)| (key.to_owned(), from_text(value))).collect()
+    }
+
+    /// What it is, for people: `Preset default with sonar.noise=0.03`.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let named = |wanted: bool| {
+            let settings =
+                self.settings.iter().filter(move |(key, _)| (*key == "preset") == wanted);
+            settings.map(
+                move |(key, value)| {
+                    if wanted { (*value).to_owned() } else { format!("{key}={value}") }
+                },
+            )
+        };
+        let preset = named(true).next().unwrap_or_else(|| "default".to_owned());
+        let others: Vec<String> = named(false).collect();
+        match others.as_slice() {
+            [] => format!("Preset {preset}"),
+            others => format!("Preset {preset} with {}", others.join(", ")),
         }
-        Ok(Reproduction { target: self.name.into(), rows })
+    }
+
+    fn info(&self) -> ReproductionArm {
+        ReproductionArm { name: self.name.into(), settings: self.values() }
     }
 }

@@ -1,63 +1,186 @@
-//! Sets of trials, one a seed, on several threads.
+//! The sets of trials of an arm, one a seed, run once for all targets that look at them.
 
-use std::ops::RangeInclusive;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::thread;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
-use super::Target;
+use sonarium_core::stats::Estimate;
+
+use super::{Arm, ReproductionError, Target};
+use crate::batch;
 use crate::catalog::{Catalog, FieldError, Plan};
 use crate::session::Run;
 use crate::wire::{NewSession, Trial};
 
-/// The last trial of every set of a preset, in the order of the seeds.
-pub(super) fn last_trials(
-    catalog: &Catalog,
-    target: &Target,
-    preset: &str,
-    threads: usize,
-    done: &(dyn Fn() + Sync),
-) -> Result<Vec<Trial>, FieldError> {
-    let plan = catalog.resolve(&request(target, preset))?;
-    let next = AtomicU64::new(*target.seeds.start());
-    let work = || claim_and_run(&plan, &target.seeds, &next, done);
-    let mut sets = thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads.max(1)).map(|_| scope.spawn(work)).collect();
-        let sets = workers
-            .into_iter()
-            .map(|worker| worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
-        sets.collect::<Result<Vec<_>, FieldError>>()
-    })?
-    .concat();
-    sets.sort_by_key(|(seed, _)| *seed);
-    Ok(sets.into_iter().map(|(_, trial)| trial).collect())
+/// What runs sets of trials for a target.
+#[derive(Clone, Copy)]
+pub struct Sets<'a> {
+    /// What came with the program.
+    pub catalog: &'a Catalog,
+    /// Threads to run on.
+    pub threads: usize,
+    /// Samples of other targets.
+    pub kept: &'a Kept,
+    /// To be called after each set.
+    pub done: &'a (dyn Fn() + Sync),
 }
 
-fn request(target: &Target, preset: &str) -> NewSession {
-    NewSession {
-        experiment: target.experiment.into(),
-        seed: Some(*target.seeds.start()),
-        settings: [("preset".to_owned(), preset.into())].into(),
-        trials: Some(target.trials),
-        speed: None,
+/// Samples that several targets look at, by what was run.
+#[derive(Debug, Default)]
+pub struct Kept(Mutex<BTreeMap<String, Arc<Sample>>>);
+
+/// All sets of one arm.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// The arm.
+    pub arm: Arm,
+    /// What was run, with the first seed: world, settings.
+    pub plan: Plan,
+    /// First and last seed.
+    pub seeds: [u64; 2],
+    /// The sets, in the order of their seeds.
+    pub sets: Vec<Set>,
+}
+
+/// A set of trials, begun with empty networks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Set {
+    /// Its seed.
+    pub seed: u64,
+    /// The trials.
+    pub trials: Vec<Trial>,
+    /// True path of the first trial, metres, from home.
+    pub first_path_m: Vec<[f64; 2]>,
+    /// True path of the last trial, metres, from home.
+    pub last_path_m: Vec<[f64; 2]>,
+}
+
+impl Sets<'_> {
+    /// The sets of an arm; run once for all targets that share what is kept.
+    ///
+    /// # Errors
+    /// When the arm's settings do not fit.
+    pub fn shared(&self, target: &Target, arm: &Arm) -> Result<Arc<Sample>, ReproductionError> {
+        let key = format!("{} {arm:?} {} {:?}", target.experiment, target.trials, target.seeds);
+        if let Some(sample) = self.kept.get(&key) {
+            sample.sets.iter().for_each(|_| (self.done)());
+            return Ok(sample);
+        }
+        let sample = Arc::new(self.of(target, arm)?);
+        self.kept.put(key, sample.clone());
+        Ok(sample)
+    }
+
+    /// The sets of an arm, run now and kept by nobody else.
+    ///
+    /// # Errors
+    /// When the arm's settings do not fit.
+    pub fn of(&self, target: &Target, arm: &Arm) -> Result<Sample, ReproductionError> {
+        let plan = self.plan(target, arm)?;
+        let seeds: Vec<u64> = target.seeds.clone().collect();
+        let sets = self.each(&seeds, |&seed| Set::run(&Plan { seed, ..plan.clone() }))?;
+        let seeds = [*target.seeds.start(), *target.seeds.end()];
+        Ok(Sample { arm: *arm, plan, seeds, sets })
+    }
+
+    /// Does something else than run sets, once for each job, each counted as a set; the results are in
+    /// the order of the jobs.
+    ///
+    /// # Errors
+    /// The first in the order of the jobs.
+    pub fn each<Job: Sync, Done: Send, Error: Send>(
+        &self,
+        jobs: &[Job],
+        work: impl Fn(&Job) -> Result<Done, Error> + Sync,
+    ) -> Result<Vec<Done>, Error> {
+        batch::all(jobs, self.threads, |job| {
+            let result = work(job);
+            (self.done)();
+            result
+        })
+    }
+
+    /// What an arm runs, with the first seed.
+    ///
+    /// # Errors
+    /// When the arm's settings do not fit.
+    pub fn plan(&self, target: &Target, arm: &Arm) -> Result<Plan, ReproductionError> {
+        Ok(self.catalog.resolve(&NewSession {
+            experiment: target.experiment.into(),
+            seed: Some(*target.seeds.start()),
+            settings: arm.values(),
+            trials: Some(target.trials),
+            speed: None,
+        })?)
     }
 }
 
-/// Runs sets until every seed is taken.
-fn claim_and_run(
-    plan: &Plan,
-    seeds: &RangeInclusive<u64>,
-    next: &AtomicU64,
-    done: &(dyn Fn() + Sync),
-) -> Result<Vec<(u64, Trial)>, FieldError> {
-    let mut sets = Vec::new();
-    loop {
-        let seed = next.fetch_add(1, Ordering::Relaxed);
-        if !seeds.contains(&seed) {
-            return Ok(sets);
+impl Kept {
+    fn get(&self, key: &str) -> Option<Arc<Sample>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).get(key).cloned()
+    }
+
+    fn put(&self, key: String, sample: Arc<Sample>) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(key, sample);
+    }
+}
+
+impl Set {
+    /// Runs a set, keeping the way of its first and last trial.
+    fn run(plan: &Plan) -> Result<Self, FieldError> {
+        let mut run = Run::new(plan)?;
+        let mut set = Self {
+            seed: plan.seed,
+            trials: Vec::with_capacity(plan.trials as usize),
+            first_path_m: Vec::new(),
+            last_path_m: Vec::new(),
+        };
+        for trial in 1..=plan.trials {
+            let mut path_m = Vec::new();
+            let watched = trial == 1 || trial == plan.trials;
+            let end = std::iter::repeat_with(|| {
+                if watched { run.step_along(&mut path_m) } else { run.step_silently() }
+            });
+            set.trials.extend(end.flatten().next());
+            if trial == 1 {
+                set.first_path_m.clone_from(&path_m);
+            }
+            if watched {
+                set.last_path_m = path_m;
+            }
         }
-        let mut run = Run::new(&Plan { seed, ..plan.clone() })?;
-        let trials = std::iter::repeat_with(|| run.step_silently()).flatten();
-        sets.extend(trials.take(plan.trials as usize).last().map(|trial| (seed, trial)));
-        done();
+        Ok(set)
+    }
+
+    /// A trial, from 1.
+    #[must_use]
+    pub fn trial(&self, number: u32) -> Option<&Trial> {
+        self.trials.get(number.checked_sub(1)? as usize)
+    }
+
+    /// The last trial.
+    #[must_use]
+    pub fn last(&self) -> Option<&Trial> {
+        self.trials.last()
+    }
+}
+
+impl Sample {
+    /// One number a set, where the set has it.
+    #[must_use]
+    pub fn values(&self, of: impl Fn(&Set) -> Option<f64>) -> Vec<f64> {
+        self.sets.iter().filter_map(of).collect()
+    }
+
+    /// Mean of one number a set.
+    #[must_use]
+    pub fn mean(&self, of: impl Fn(&Set) -> Option<f64>) -> Option<Estimate> {
+        Estimate::mean(&self.values(of))
+    }
+
+    /// Share of sets of which something is true, percent.
+    #[must_use]
+    pub fn share_pct(&self, is_so: impl Fn(&Set) -> bool) -> Option<Estimate> {
+        let successes = self.sets.iter().filter(|set| is_so(set)).count();
+        Some(Estimate::proportion(successes, self.sets.len())?.scaled(100.0))
     }
 }

@@ -1,8 +1,8 @@
 //! Table 5.1: the last of 20 trials, mean and variance over sets.
 
-use sonarium_core::stats::{self, Estimate};
+use sonarium_core::stats::Estimate;
 
-use super::Target;
+use super::{Findings, PRESETS, ReproductionError, Row, SEEDS, Sample, Sets, Target};
 use crate::catalog::{DEFAULT_TRIALS, MINIMUM_COST_PATH};
 use crate::wire::{ReproductionRow, Trial};
 
@@ -14,11 +14,17 @@ pub static TABLE_5_1: Target = Target {
                B21 in the thesis, 200 simulated sets a preset here, in our reading of its laboratory; \
                reflex, which never learns, is the control",
     source: "Table 5.1, section 5.11",
+    readings: &[
+        "The table prints mean and variance \"computed from the last trial in the set of ten \
+         experiments\"; the variance is taken with the divisor n − 1",
+        "A last trial that does not reach the goal counts with the full cap of steps and with what \
+         it had earned until then",
+    ],
     experiment: MINIMUM_COST_PATH,
-    presets: &["default", "thesis", "reflex"],
+    arms: PRESETS,
     trials: DEFAULT_TRIALS,
-    seeds: 700_000..=700_199,
-    rows,
+    seeds: SEEDS,
+    find,
 };
 
 /// One quantity of the table.
@@ -55,39 +61,40 @@ const QUANTITIES: [Quantity; 3] = [
     },
 ];
 
-fn rows(target: &Target, preset: &str, last: &[Trial]) -> Vec<ReproductionRow> {
-    let seeds = format!("seeds {}..{}", target.seeds.start(), target.seeds.end());
-    let row =
-        |name: &str, published, unit: &str, ours: Estimate, reading: String| ReproductionRow {
-            name: format!("{preset}: {name}"),
-            published,
-            ours: ours.value,
-            low: ours.low,
-            high: ours.high,
-            n: u32::try_from(ours.n).unwrap_or(u32::MAX),
-            unit: unit.into(),
-            verdict: stats::Verdict::of(published, &ours).into(),
-            reading: format!("Preset {preset}, {seeds}: {reading}"),
-        };
+fn find(target: &Target, sets: &Sets<'_>) -> Result<Findings, ReproductionError> {
+    let mut rows = Vec::new();
+    for arm in target.arms {
+        rows.extend(last_trial(&*sets.shared(target, arm)?));
+    }
+    Ok(Findings { rows, ..Findings::default() })
+}
+
+fn last_trial(sample: &Sample) -> Vec<ReproductionRow> {
     let mut rows = Vec::new();
     for quantity in &QUANTITIES {
-        let sample: Vec<f64> = last.iter().map(quantity.of).collect();
-        for (moment, published, estimate, interval) in [
-            ("mean", quantity.mean, Estimate::mean(&sample), "Student's t interval"),
-            ("variance", quantity.variance, Estimate::variance(&sample), "χ² interval"),
+        let values = sample.values(|set| set.last().map(quantity.of));
+        for (moment, published, ours, interval) in [
+            ("mean", quantity.mean, Estimate::mean(&values), "Student's t interval"),
+            ("variance", quantity.variance, Estimate::variance(&values), "χ² interval"),
         ] {
-            let name = format!("{}, {moment}", quantity.name);
-            let reading = format!("{moment} over all sets of the {}; {interval}", quantity.meaning);
-            rows.extend(estimate.map(|ours| row(&name, Some(published), "", ours, reading)));
+            let row = Row {
+                name: &format!("{}, {moment}", quantity.name),
+                published: Some(published),
+                unit: "",
+                reading: &format!("{moment} over all sets of the {}; {interval}", quantity.meaning),
+            };
+            rows.extend(row.of(sample, ours));
         }
     }
-    let reached = last.iter().filter(|trial| trial.reached_goal).count();
-    let share = Estimate::proportion(reached, last.len()).map(|share| share.scaled(100.0));
-    rows.extend(
-        share.map(|ours| row("sets that reached the goal", None, "%", ours, SUCCESS.into())),
-    );
+    let reached = sample.share_pct(|set| set.last().is_some_and(|trial| trial.reached_goal));
+    rows.extend(REACHED.of(sample, reached));
     rows
 }
 
-const SUCCESS: &str = "share of sets whose last trial reached the goal; the thesis prints no such \
-    figure, so nothing is judged; exact interval of Clopper and Pearson";
+const REACHED: Row<'_> = Row {
+    name: "sets that reached the goal",
+    published: None,
+    unit: "%",
+    reading: "share of sets whose last trial reached the goal; the thesis prints no such figure, so \
+              nothing is judged; exact interval of Clopper and Pearson",
+};

@@ -5,7 +5,7 @@ use std::sync::Barrier;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use super::*;
-use crate::wire::Verdict;
+use crate::wire::{Reproduction, Verdict};
 
 /// Table 5.1 over a few of its sets.
 fn few_sets() -> Target {
@@ -13,7 +13,8 @@ fn few_sets() -> Target {
 }
 
 fn run(target: &Target, threads: usize) -> Reproduction {
-    target.run(threads, &|| ()).expect("the embedded files fit")
+    let findings = target.run(threads, &Kept::default(), &|| ()).expect("the embedded files fit");
+    findings.wire(target)
 }
 
 #[test]
@@ -27,16 +28,20 @@ fn the_result_does_not_depend_on_threads() {
 #[test]
 fn sets_stand_in_the_order_of_their_seeds() {
     let catalog = Catalog::load(None).expect("the embedded files are fine");
-    let target = few_sets();
-    let trials = |threads, done: &(dyn Fn() + Sync)| {
-        sets::last_trials(&catalog, &target, "default", threads, done).expect("they fit")
+    let (target, kept) = (few_sets(), Kept::default());
+    let sample = |threads, done: &(dyn Fn() + Sync)| {
+        let sets = Sets { catalog: &catalog, threads, kept: &kept, done };
+        sets.of(&target, &PRESETS[0]).expect("they fit").sets
     };
     // Each waits for the other after a set, so that two threads take the seeds by turns.
     let turn = Barrier::new(2);
     let by_turns = || {
         turn.wait();
     };
-    assert_eq!(trials(2, &by_turns), trials(1, &|| ()));
+    let sets = sample(2, &by_turns);
+    assert_eq!(sets, sample(1, &|| ()));
+    let seeds: Vec<u64> = sets.iter().map(|set| set.seed).collect();
+    assert_eq!(seeds, (700_000..=700_005).collect::<Vec<u64>>());
 }
 
 #[test]
@@ -46,9 +51,49 @@ fn every_set_is_told_and_counts() {
     let count = || {
         sets.fetch_add(1, Ordering::Relaxed);
     };
-    let result = target.run(2, &count).expect("the embedded files fit");
-    assert_eq!(sets.into_inner(), 3 * target.sets());
+    let kept = Kept::default();
+    let result = target.run(2, &kept, &count).expect("the embedded files fit");
+    assert_eq!(sets.load(Ordering::Relaxed), target.work());
     assert!(result.rows.iter().all(|row| row.n == 6), "{:?}", result.rows);
+    let again = target.run(2, &kept, &count).expect("the embedded files fit");
+    assert_eq!(again, result, "from what was kept");
+    assert_eq!(sets.into_inner(), 2 * target.work(), "those kept are told too");
+}
+
+#[test]
+fn what_is_kept_serves_nobody_who_asks_for_something_else() {
+    let kept = Kept::default();
+    let run = |target: &Target| target.run(2, &kept, &|| ()).expect("the embedded files fit").rows;
+    let target = Target { arms: &PRESETS[..1], ..few_sets() };
+    let rows = run(&target);
+    for other in [
+        Target { seeds: 700_006..=700_011, ..target.clone() },
+        Target { trials: 3, ..target.clone() },
+        Target {
+            arms: &[Arm { name: "default", settings: &[("sonar.noise", "0.03")] }],
+            ..target.clone()
+        },
+    ] {
+        assert_ne!(run(&other), rows, "{other:?}");
+    }
+}
+
+#[test]
+fn a_set_is_the_run_of_its_seed_with_the_way_of_two_trials() {
+    let catalog = Catalog::load(None).expect("the embedded files are fine");
+    let target = Target { trials: 3, seeds: 700_002..=700_002, ..few_sets() };
+    let kept = Kept::default();
+    let sets = Sets { catalog: &catalog, threads: 1, kept: &kept, done: &|| () };
+    let sample = sets.of(&target, &PRESETS[0]).expect("it fits");
+    let set = &sample.sets[0];
+    let alone = crate::batch::set(&sample.plan, || ()).expect("it fits");
+    assert_eq!((set.seed, &set.trials), (alone.seed, &alone.trials));
+    for (path_m, trial) in [(&set.first_path_m, &set.trials[0]), (&set.last_path_m, &set.trials[2])]
+    {
+        assert_eq!(path_m.len(), trial.steps as usize + 1, "home and one place a step");
+        assert_eq!(path_m[0], [0.0, 0.0], "from home");
+    }
+    assert_ne!(set.first_path_m, set.last_path_m);
 }
 
 #[test]
@@ -92,7 +137,7 @@ fn the_rows_are_table_5_1_under_each_preset() {
 
 #[test]
 fn the_control_does_not_pass_for_a_learner() {
-    let target = Target { presets: &["reflex"], seeds: 700_000..=700_011, ..TABLE_5_1.clone() };
+    let target = Target { arms: &PRESETS[2..], seeds: 700_000..=700_011, ..TABLE_5_1.clone() };
     for row in run(&target, 2).rows {
         let differs = row.name.ends_with("mean");
         assert!(!differs || row.verdict == Verdict::Differs, "{row:?}");
@@ -103,4 +148,32 @@ fn the_control_does_not_pass_for_a_learner() {
 fn an_unknown_target_is_refused_with_those_there_are() {
     let error = target("table-9.9").expect_err("no such table").to_string();
     assert!(error.contains("table-9.9") && error.contains("`table-5.1`"), "{error}");
+}
+
+#[test]
+fn names_are_unique_and_every_arm_fits() {
+    let catalog = Catalog::load(None).expect("the embedded files are fine");
+    let kept = Kept::default();
+    let sets = Sets { catalog: &catalog, threads: 1, kept: &kept, done: &|| () };
+    let mut names = BTreeSet::new();
+    for target in TARGETS {
+        assert!(names.insert(target.name), "{} stands twice", target.name);
+        assert!(*target.seeds.start() >= 700_000, "{}: settings were chosen there", target.name);
+        let mut arms = BTreeSet::new();
+        for arm in target.arms {
+            assert!(arms.insert(arm.name), "{}: {} stands twice", target.name, arm.name);
+            sets.plan(target, arm).unwrap_or_else(|error| panic!("{}: {error}", target.name));
+        }
+    }
+}
+
+#[test]
+fn an_arm_says_what_it_is() {
+    let arm = |settings| Arm { name: "", settings }.words();
+    assert_eq!(arm(&[]), "Preset default");
+    assert_eq!(arm(&[("preset", "thesis")]), "Preset thesis");
+    assert_eq!(
+        arm(&[("world", "two-obstacles"), ("sonar.noise", "0.03")]),
+        "Preset default with world=two-obstacles, sonar.noise=0.03"
+    );
 }

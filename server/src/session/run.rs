@@ -63,6 +63,17 @@ impl Run {
         end.map(|end| self.names.trial(&end.record))
     }
 
+    /// One control step, of which nothing but the true way is kept: where the robot was, unless the
+    /// path has begun, and where it went.
+    pub fn step_along(&mut self, path_m: &mut Vec<[f64; 2]>) -> Option<Trial> {
+        let (tick, end) = self.machine.step();
+        if path_m.is_empty() {
+            path_m.push([tick.true_pose.x_m, tick.true_pose.y_m]);
+        }
+        path_m.push([tick.outcome.true_pose.x_m, tick.outcome.true_pose.y_m]);
+        end.map(|end| self.names.trial(&end.record))
+    }
+
     /// All neurons, without their centres.
     #[must_use]
     pub fn neurons(&self) -> Vec<NeuronView> {

@@ -36,7 +36,9 @@ fn declarations(config: &Config) -> Vec<String> {
         NeuronView, BirthView, TrialEndView, ChangeView,
         ServerMessage, Hello, WorldView, CurvePoint, LogEntry,
         ClientMessage, ArenaRequest, ThemeName,
-        ReproductionTarget, Reproduction, ReproductionRow, Verdict,
+        ReproductionTarget, ReproductionArm, ReproductionProgress, ReproductionState,
+        Reproduction, ReproductionRow, Verdict, ReproductionCurve, ReproductionPoint,
+        ReproductionPicture,
     )
 }
 

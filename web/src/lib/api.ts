@@ -6,10 +6,14 @@ import type {
   NeuronView,
   NewSession,
   Problem,
+  Reproduction,
+  ReproductionProgress,
+  ReproductionTarget,
   Session,
   Speed,
   StepUnit,
   ThemeName,
+  TickView,
 } from './protocol';
 
 const ROOT = '/api/v1';
@@ -38,6 +42,10 @@ export const deleteSession = (id: string) => call<null>('DELETE', path(id));
 export const neuron = (id: string, which: number) =>
   call<NeuronView>('GET', `${path(id)}/neurons/${which}`);
 
+/** Control steps of a session, both ends included. */
+export const ticks = (id: string, from: number, to: number) =>
+  call<TickView[]>('GET', `${path(id)}/ticks?${query({ from, to })}`);
+
 /** A control of a session; `step` may go to the end of the trial. */
 export type Control = 'start' | 'pause' | 'resume' | 'step' | 'stop' | 'reset';
 
@@ -47,6 +55,20 @@ export function control(id: string, name: Control, unit?: StepUnit): Promise<Ack
 
 export const setSpeed = (id: string, speed: Speed) =>
   call<Ack>('POST', `${path(id)}/speed`, { speed });
+
+export const reproductions = () => call<ReproductionTarget[]>('GET', 'reproductions');
+/** Computes it, if nobody has; the answer may take minutes. */
+export const reproduction = (target: string) => call<Reproduction>('GET', targetPath(target));
+export const reproductionProgress = (target: string) =>
+  call<ReproductionProgress>('GET', `${targetPath(target)}/progress`);
+
+/** Address of a file of a target: `rows.csv` or `curves.csv`. */
+export const reproductionFile = (target: string, name: string) =>
+  `${ROOT}/${targetPath(target)}/${name}`;
+
+/** Address of a picture of a target. */
+export const reproductionPicture = (target: string, name: string, size: Size, theme: ThemeName) =>
+  `${ROOT}/${targetPath(target)}/pictures/${encodeURIComponent(name)}.png?${query({ ...size, theme })}`;
 
 /** Address of a report or log of the session, e.g. `report.html`. */
 export const sessionFile = (id: string, name: string) => `${ROOT}/${path(id)}/${name}`;
@@ -79,6 +101,8 @@ export interface Size {
   width: number;
   height: number;
 }
+
+const targetPath = (target: string) => `reproductions/${encodeURIComponent(target)}`;
 
 const path = (id: string) => `sessions/${encodeURIComponent(id)}`;
 

@@ -591,7 +591,7 @@ theme: ThemeName, };
 /** Colour theme of a picture. */
 export type ThemeName = "light" | "dark";
 
-/** A table or figure of the thesis that can be computed again. */
+/** Something the thesis shows or claims that can be computed again. */
 export type ReproductionTarget = {
 /** Name used in the interface, e.g. `table-5.1`. */
 name: string,
@@ -601,21 +601,60 @@ title: string,
 compares: string,
 /** Where the thesis has it. */
 source: string,
-/** Sets of trials run for each preset. */
+/** How its words and figures were read, a sentence each. */
+readings: Array<string>,
+/** Name of the experiment that is run. */
+experiment: string,
+/** What is run, side by side. */
+arms: Array<ReproductionArm>,
+/** Trials of a set. */
+trials: number,
+/** Sets of trials run for each arm. */
 sets: number,
 /** First seed; the sets take one each, upwards. */
 first_seed: number,
 /** Last seed. */
 last_seed: number,
 /** How the verdicts are found. */
-rule: string, };
+rule: string,
+/** The command that computes the same. */
+command: string, };
 
-/** A table or figure of the thesis, computed again. */
+/** One of the learners, or one of the worlds, that a target compares. */
+export type ReproductionArm = {
+/** Name, with which the names of its rows begin. */
+name: string,
+/** Preset, world and settings that differ from the preset's. */
+settings: Record<string, number | string | boolean>, };
+
+/** How far a target is. */
+export type ReproductionProgress = {
+/** Name of the target. */
+target: string,
+/** Where it stands. */
+state: ReproductionState,
+/** Sets done. */
+done: number,
+/** Sets to do. */
+of: number,
+/** Why it failed. */
+reason: string | null, };
+
+/** Where the computation of a target stands. */
+export type ReproductionState = "idle" | "waiting" | "running" | "done" | "failed";
+
+/** Something the thesis shows or claims, computed again. */
 export type Reproduction = {
 /** Name of the target. */
 target: string,
 /** One row a figure. */
-rows: Array<ReproductionRow>, };
+rows: Array<ReproductionRow>,
+/** Curves, several arms of one quantity after each other. */
+curves: Array<ReproductionCurve>,
+/** Pictures, those of one arm after each other. */
+pictures: Array<ReproductionPicture>,
+/** Program version and commit. */
+build: string, };
 
 /** One figure, published and ours. */
 export type ReproductionRow = {
@@ -640,3 +679,48 @@ reading: string, };
 
 /** How a published value stands to ours. */
 export type Verdict = "agrees" | "differs" | "cannot tell";
+
+/** One quantity of one arm over trials. */
+export type ReproductionCurve = {
+/** Name of the arm. */
+arm: string,
+/** What is drawn, e.g. `number of steps`. */
+quantity: string,
+/** Its unit; empty for a pure number. */
+unit: string,
+/** What is counted along x, e.g. `trial`. */
+x_name: string,
+/** What the band is, e.g. `95 % interval of the mean over 200 sets`. */
+band: string,
+/** What the bars are, e.g. `minimum and maximum over the first ten sets`; empty without bars. */
+bars: string,
+/** The points, by rising x. */
+points: Array<ReproductionPoint>, };
+
+/** One point of a curve. */
+export type ReproductionPoint = {
+/** Place along x. */
+x: number,
+/** Mean; none when no set has a value here. */
+mean: number | null,
+/** Lower end of the 95 % interval of the mean; none of fewer than two values. */
+low: number | null,
+/** Upper end. */
+high: number | null,
+/** Least value among the sets of the bars. */
+least: number | null,
+/** Greatest value among them. */
+greatest: number | null,
+/** Sets behind the mean. */
+n: number, };
+
+/** A picture of a target: `GET reproductions/{target}/pictures/{name}`. */
+export type ReproductionPicture = {
+/** Name, unique in the target, e.g. `default-first`. */
+name: string,
+/** Name of the arm. */
+arm: string,
+/** What it shows, a line. */
+caption: string,
+/** What is to be seen, for those who cannot see it. */
+alt: string, };

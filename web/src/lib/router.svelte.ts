@@ -3,13 +3,23 @@
 import type { Session } from './protocol';
 
 /** A page. */
-export type Route = { page: 'home' } | { page: 'session'; id: string } | { page: 'unknown' };
+export type Route =
+  | { page: 'home' }
+  | { page: 'session'; id: string }
+  | { page: 'reproductions' }
+  | { page: 'reproduction'; target: string }
+  | { page: 'unknown' };
 
 /** The page behind a path. */
 export function routeOf(path: string): Route {
   if (path === '/') return { page: 'home' };
-  const id = /^\/sessions\/([^/]+)\/?$/.exec(path)?.[1];
-  return id ? { page: 'session', id: decodeURIComponent(id) } : { page: 'unknown' };
+  if (/^\/reproduce\/?$/.test(path)) return { page: 'reproductions' };
+  const [, kind, name] = /^\/(sessions|reproduce)\/([^/]+)\/?$/.exec(path) ?? [];
+  if (!name) return { page: 'unknown' };
+  const which = decodeURIComponent(name);
+  return kind === 'sessions'
+    ? { page: 'session', id: which }
+    : { page: 'reproduction', target: which };
 }
 
 class Router {
@@ -50,6 +60,9 @@ class Router {
 
 /** The page's address. */
 export const router = new Router();
+
+/** Address of the page of a target. */
+export const reproductionPath = (target: string) => `/reproduce/${encodeURIComponent(target)}`;
 
 /** Address of a session's page. */
 export const sessionPath = (id: string) => `/sessions/${encodeURIComponent(id)}`;

@@ -5,7 +5,7 @@ use std::path::Path;
 use indicatif::ProgressBar;
 
 use super::super::{Failure, cores};
-use super::result;
+use crate::batch::result;
 use crate::catalog::Catalog;
 use crate::render::{Backend, Renderer};
 use crate::report;

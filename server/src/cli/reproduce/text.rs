@@ -1,0 +1,93 @@
+//! A result for people at a terminal.
+
+use sonarium_core::stats::Verdict as Judged;
+
+use crate::reproduce::Target;
+use crate::wire::{Reproduction, ReproductionRow, Verdict};
+
+/// What was done, the table, the rule, and what does not agree.
+pub(super) fn table(target: &Target, result: &Reproduction) -> String {
+    let head = ["", "published", "ours", "95 % interval", "n", "verdict"].map(str::to_owned);
+    let rows: Vec<[String; 6]> = result.rows.iter().map(cells).collect();
+    let width = rows.iter().map(|row| row[0].chars().count()).max().unwrap_or(0);
+    let mut text = format!("{}\n\n{}", head_lines(target), line(&head, width));
+    for row in &rows {
+        text += &line(row, width);
+    }
+    text + &format!("\n{}.\n{}", Judged::RULE, conclusion(&result.rows))
+}
+
+/// What was done.
+pub(super) fn head_lines(target: &Target) -> String {
+    format!(
+        "{}: {} ({})\n{}.\n{} sets an arm, {} trials a set, seeds {}..{}, build {}",
+        target.name,
+        target.title,
+        target.source,
+        target.compares,
+        target.sets(),
+        target.trials,
+        target.seeds.start(),
+        target.seeds.end(),
+        crate::build()
+    )
+}
+
+/// The cells of a row.
+pub(super) fn cells(row: &ReproductionRow) -> [String; 6] {
+    let unit = if row.unit.is_empty() { String::new() } else { format!(" ({})", row.unit) };
+    [
+        format!("{}{unit}", row.name),
+        row.published.map_or_else(|| "none".into(), |published| published.to_string()),
+        format!("{:.2}", row.ours),
+        format!("{:.2} to {:.2}", row.low, row.high),
+        row.n.to_string(),
+        row.verdict.word().to_owned(),
+    ]
+}
+
+fn line([name, published, ours, interval, n, verdict]: &[String; 6], width: usize) -> String {
+    format!("{name:<width$}  {published:>9}  {ours:>9}  {interval:>20}  {n:>4}  {verdict}\n")
+}
+
+/// Says plainly what does not agree.
+fn conclusion(rows: &[ReproductionRow]) -> String {
+    let named = |verdict| {
+        let rows = rows.iter().filter(|row| row.verdict == verdict);
+        rows.map(|row| row.name.as_str()).collect::<Vec<_>>().join("; ")
+    };
+    let says = |(words, verdict)| {
+        let names = named(verdict);
+        if names.is_empty() { format!("{words}: nothing") } else { format!("{words}: {names}") }
+    };
+    [
+        ("Does not agree", Verdict::Differs),
+        ("Cannot be told", Verdict::CannotTell),
+        ("Agrees", Verdict::Agrees),
+    ]
+    .map(says)
+    .join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample_row as row;
+    use super::*;
+
+    #[test]
+    fn the_conclusion_names_what_does_not_agree_first() {
+        let rows =
+            [row("a", Verdict::Agrees), row("b", Verdict::Differs), row("c", Verdict::Differs)];
+        assert_eq!(conclusion(&rows), "Does not agree: b; c\nCannot be told: nothing\nAgrees: a");
+    }
+
+    #[test]
+    fn columns_are_aligned() {
+        let row = cells(&row("reflex: variance", Verdict::Differs));
+        let head = line(
+            &["", "published", "ours", "95 % interval", "n", "verdict"].map(str::to_owned),
+            16,
+        );
+        assert_eq!(head.find("verdict"), line(&row, 16).find("differs"), "{head}{row:?}");
+    }
+}
