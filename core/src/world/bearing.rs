@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use crate::geometry::Vec2;
 
-use super::tree::{LANES, Middle};
+use super::tree::{LANES, Middles};
 
 /// Slack on rough angles, radians; greater than twice the error of [`rough_angle`].
 const MARGIN_RAD: f64 = 0.01;
@@ -38,31 +38,36 @@ impl Sector {
             let (a_rad, b_rad) = (rough_angle(ax[k], ay[k]), rough_angle(bx, by));
             let left = ax[k] * ey[k] - ay[k] * ex[k] >= 0.0;
             let (from, to) = if left { (a_rad, b_rad) } else { (b_rad, a_rad) };
-            // A wall never spans more than half a turn; one that points at the origin may come
-            // out a little below 0.
+            // A wall never spans more than half a turn; one that points at the origin or ends there
+            // may come out the wrong way round.
             let to = if to - from < -FRAC_PI_2 { to + TAU } else { to };
+            let (from, to) = if to < from { (to, from) } else { (from, to) };
             (from_rad[k], to_rad[k]) = (from - MARGIN_RAD, to + MARGIN_RAD);
         }
         std::array::from_fn(|k| Self { from_rad: from_rad[k], to_rad: to_rad[k] })
     }
 
-    /// A sector that holds a box seen from the origin; none when the origin is in it or so near that
-    /// any direction may lead into it. `direction` is the unit vector of the body's heading.
+    /// Sectors that hold four boxes seen from a body at a position, heading along the unit vector
+    /// `direction`; all round when the body is in a box or so near that any direction may lead into it.
     #[inline(always)]
-    pub(super) fn of_box(middle: &Middle, position: Vec2, direction: Vec2) -> Option<Self> {
-        let offset = middle.centre - position;
-        let (x, y) = (offset.x.abs(), offset.y.abs());
-        // How far the box reaches across the line of sight and towards the eye, times the distance.
-        let across = middle.half.x * y + middle.half.y * x;
-        let nearer = offset.norm_squared() - (middle.half.x * x + middle.half.y * y);
-        // atan z ≤ z
-        let half_rad = across / nearer + MARGIN_RAD;
-        if nearer <= 0.0 || half_rad >= PI {
-            return None;
+    pub(super) fn of_boxes(boxes: &Middles, position: Vec2, direction: Vec2) -> [Self; LANES] {
+        let (mut from_rad, mut to_rad) = ([0.0; LANES], [0.0; LANES]);
+        for k in 0..LANES {
+            let offset = Vec2::new(boxes.x[k], boxes.y[k]) - position;
+            let (x, y) = (offset.x.abs(), offset.y.abs());
+            // How far the box reaches across the line of sight and towards the eye, times the
+            // distance.
+            let across = boxes.half_x[k] * y + boxes.half_y[k] * x;
+            let nearer = x * x + y * y - (boxes.half_x[k] * x + boxes.half_y[k] * y);
+            // atan z ≤ z
+            let half_rad = across / nearer;
+            let half_rad = if (nearer > 0.0) & (half_rad < PI) { half_rad } else { PI };
+            let seen = into_frame(offset, direction);
+            let middle_rad = rough_angle(seen.x, seen.y);
+            from_rad[k] = middle_rad - (half_rad + MARGIN_RAD);
+            to_rad[k] = middle_rad + (half_rad + MARGIN_RAD);
         }
-        let seen = into_frame(offset, direction);
-        let middle_rad = rough_angle(seen.x, seen.y);
-        Some(Self { from_rad: middle_rad - half_rad, to_rad: middle_rad + half_rad })
+        std::array::from_fn(|k| Self { from_rad: from_rad[k], to_rad: to_rad[k] })
     }
 }
 
@@ -112,7 +117,7 @@ mod tests {
     /// Whether a sector holds the direction to a point.
     fn holds(sector: &Sector, point: Vec2) -> bool {
         let angle_rad = crate::geometry::angle(point);
-        (-1..=1).any(|turn| {
+        (-2..=2).any(|turn| {
             (sector.from_rad..=sector.to_rad).contains(&(angle_rad + f64::from(turn) * TAU))
         })
     }
@@ -134,11 +139,12 @@ mod tests {
             across in -1.0..1.0f64, along in -1.0..1.0f64,
         ) {
             let (direction, half) = (unit(heading_rad), half.abs() * 0.3);
-            let sector = Sector::of_box(&Middle { centre, half }, position, direction);
+            let boxes = Middles {
+                x: [centre.x; 4], y: [centre.y; 4], half_x: [half.x; 4], half_y: [half.y; 4],
+            };
+            let sector = Sector::of_boxes(&boxes, position, direction)[3];
             let point = centre + Vec2::new(half.x * across, half.y * along);
-            if let Some(sector) = sector {
-                prop_assert!(holds(&sector, into_frame(point - position, direction)));
-            }
+            prop_assert!(holds(&sector, into_frame(point - position, direction)));
         }
     }
 }

@@ -96,7 +96,11 @@ impl Dial {
 
 /// The hours that a sector touches: the first, and how many, at least one and at most all.
 #[inline(always)]
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few hundred, positive")]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a few hundred, positive"
+)]
 fn hours(sector: Sector) -> (usize, usize) {
     // Turned on by two rounds, so that both ends are positive and are rounded down.
     let hour = |angle_rad: f64| ((angle_rad + 2.0 * TAU) * (HOURS as f64 / TAU)) as u32 as usize;

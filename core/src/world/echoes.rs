@@ -41,8 +41,7 @@ struct Scaled {
 impl Fours {
     /// A vector of each fan of a block of one to four; the last fills the lanes left over.
     pub(super) fn of<T>(block: &[T], vector: impl Fn(&T) -> Vec2) -> Self {
-        let four: [Vec2; LANES] =
-            std::array::from_fn(|k| vector(&block[k.min(block.len() - 1)]));
+        let four: [Vec2; LANES] = std::array::from_fn(|k| vector(&block[k.min(block.len() - 1)]));
         Self { x: four.map(|vector| vector.x), y: four.map(|vector| vector.y) }
     }
 }
@@ -89,7 +88,12 @@ impl Echoes {
 
     /// Keeps the nearest surface of each fan. Gives the nearness of each.
     #[inline(always)]
-    pub(super) fn keep_nearest(&mut self, wall: Wall, places: &Fours, rays: &[Fours]) -> [f64; LANES] {
+    pub(super) fn keep_nearest(
+        &mut self,
+        wall: Wall,
+        places: &Fours,
+        rays: &[Fours],
+    ) -> [f64; LANES] {
         let seen = Scaled::new(wall, places);
         let mut nearness = self.nearness;
         for rays in rays {

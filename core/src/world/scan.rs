@@ -19,7 +19,7 @@ use super::bearing::Sector;
 use super::dial::{Dial, Fans, sector_of_fan};
 use super::echoes::{Echoes, Fours, Wall};
 use super::segments::{Leaf, SLACK_M, Segments};
-use super::tree::{LANES, Middle, Node, Seeker, lesser};
+use super::tree::{LANES, Node, Seeker, lesser};
 
 /// Where a fan of rays leaves the body and where its middle ray goes, robot frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -206,25 +206,25 @@ impl Listener<'_> {
 }
 
 impl Seeker for Listener<'_> {
+    /// The fans that look towards a box.
+    type Note = Fans;
+
     #[inline(always)]
-    fn distances(&self, node: &Node) -> [f64; LANES] {
+    fn boxes(&self, node: &Node) -> ([f64; LANES], [Fans; LANES]) {
         let reach_m = 1.0 / self.least;
-        let mut distances_m = [0.0; LANES];
-        for (distance_m, distance2) in distances_m.iter_mut().zip(node.distances2(self.position)) {
-            let far_m = distance2.sqrt();
-            *distance_m =
-                if self.from_shell_m(far_m) <= reach_m { far_m } else { f64::INFINITY };
-        }
-        distances_m
+        let distances_m = node.distances2(self.position).map(f64::sqrt);
+        let near = distances_m.map(|far_m| self.from_shell_m(far_m) <= reach_m);
+        let sectors = Sector::of_boxes(&node.middles(), self.position, self.direction);
+        let fans = |k: usize| self.shell.dial.fans(sectors[k]);
+        (
+            std::array::from_fn(|k| if near[k] { distances_m[k] } else { f64::INFINITY }),
+            std::array::from_fn(|k| if near[k] { fans(k) } else { Fans::default() }),
+        )
     }
 
     #[inline(always)]
-    fn matters(&self, distance_m: f64, middle: impl Fn() -> Middle) -> bool {
-        let far_m = self.from_shell_m(distance_m);
-        let Some(sector) = Sector::of_box(&middle(), self.position, self.direction) else {
-            return true;
-        };
-        !self.shell.dial.fans(sector).and(self.concerned(far_m)).is_empty()
+    fn matters(&self, distance_m: f64, fans: Fans) -> bool {
+        !fans.and(self.concerned(self.from_shell_m(distance_m))).is_empty()
     }
 
     #[inline(always)]

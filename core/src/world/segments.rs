@@ -3,7 +3,7 @@
 use crate::geometry::Vec2;
 
 use super::bearing::{Walls, into_frame};
-use super::tree::{LANES, Middle, Node, Seeker, Tree, lesser};
+use super::tree::{LANES, Node, Seeker, Tree, lesser};
 
 /// How far beyond its ends a segment still stops a ray, as a share of its length: walls that share
 /// a corner leave no gap through rounding.
@@ -125,14 +125,18 @@ impl NearestPoint {
 }
 
 impl Seeker for NearestPoint {
+    type Note = ();
+
     #[inline(always)]
-    fn distances(&self, node: &Node) -> [f64; LANES] {
+    fn boxes(&self, node: &Node) -> ([f64; LANES], [(); LANES]) {
         let limit2 = self.limit2();
-        node.distances2(self.point).map(|d2| if d2 < limit2 { d2 } else { f64::INFINITY })
+        let near =
+            node.distances2(self.point).map(|d2| if d2 < limit2 { d2 } else { f64::INFINITY });
+        (near, [(); LANES])
     }
 
     #[inline(always)]
-    fn matters(&self, distance2: f64, _: impl Fn() -> Middle) -> bool {
+    fn matters(&self, distance2: f64, (): ()) -> bool {
         distance2 < self.limit2()
     }
 
@@ -185,10 +189,14 @@ impl Ray {
 }
 
 impl Seeker for Ray {
-    fn distances(&self, node: &Node) -> [f64; LANES] {
-        std::array::from_fn(|lane| {
-            let Middle { centre, half } = node.middle(lane);
-            let (offset, side) = (centre - self.origin, self.direction.abs());
+    type Note = ();
+
+    fn boxes(&self, node: &Node) -> ([f64; LANES], [(); LANES]) {
+        let boxes = node.middles();
+        let enters = |lane: usize| {
+            let half = Vec2::new(boxes.half_x[lane], boxes.half_y[lane]);
+            let offset = Vec2::new(boxes.x[lane], boxes.y[lane]) - self.origin;
+            let side = self.direction.abs();
             // What the box takes up along the ray and across it.
             let (along_m, across_m) = (half.dot(&side), half.x * side.y + half.y * side.x);
             let enters_m = offset.dot(&self.direction) - along_m - SLACK_M;
@@ -196,10 +204,11 @@ impl Seeker for Ray {
             let behind = enters_m + 2.0 * (along_m + SLACK_M) < 0.0;
             // A box without contents gives no number, and is not met either.
             if misses_m <= 0.0 && !behind { enters_m.max(0.0) } else { f64::INFINITY }
-        })
+        };
+        (std::array::from_fn(enters), [(); LANES])
     }
 
-    fn matters(&self, distance_m: f64, _: impl Fn() -> Middle) -> bool {
+    fn matters(&self, distance_m: f64, (): ()) -> bool {
         distance_m <= self.met.map_or(self.range_m, |met| met.distance_m)
     }
 
@@ -310,11 +319,13 @@ mod tests {
     struct All(Vec<u32>);
 
     impl Seeker for All {
-        fn distances(&self, node: &Node) -> [f64; LANES] {
-            node.distances2(Vec2::zeros())
+        type Note = ();
+
+        fn boxes(&self, node: &Node) -> ([f64; LANES], [(); LANES]) {
+            (node.distances2(Vec2::zeros()), [(); LANES])
         }
 
-        fn matters(&self, _: f64, _: impl Fn() -> Middle) -> bool {
+        fn matters(&self, _: f64, (): ()) -> bool {
             true
         }
 

@@ -38,21 +38,26 @@ enum Child {
     Leaf(u32),
 }
 
-/// A box: its middle and half its sides, metres.
+/// Four boxes by their middles and half their sides, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Middle {
-    pub(super) centre: Vec2,
-    pub(super) half: Vec2,
+pub(super) struct Middles {
+    pub(super) x: [f64; LANES],
+    pub(super) y: [f64; LANES],
+    pub(super) half_x: [f64; LANES],
+    pub(super) half_y: [f64; LANES],
 }
 
 /// Who walks a tree: what it looks for, and what it has found so far.
 pub(super) trait Seeker {
-    /// How far the boxes of a node are at least, in a measure of the seeker's own, 0 or more;
-    /// infinite for boxes that do not matter.
-    fn distances(&self, node: &Node) -> [f64; LANES];
+    /// What a seeker notes about a box that it puts off.
+    type Note: Copy + Default;
 
-    /// Whether a box still matters after what was found since its distance was asked for.
-    fn matters(&self, distance: f64, middle: impl Fn() -> Middle) -> bool;
+    /// How far the boxes of a node are at least, in a measure of the seeker's own, 0 or more, and what
+    /// to note about them; infinite for boxes that do not matter.
+    fn boxes(&self, node: &Node) -> ([f64; LANES], [Self::Note; LANES]);
+
+    /// Whether a box still matters after what was found since it was put off.
+    fn matters(&self, distance: f64, note: Self::Note) -> bool;
 
     /// Looks at the segments of a leaf.
     fn look(&mut self, leaf: &Leaf);
@@ -69,22 +74,26 @@ impl Tree {
 
     /// Lets a seeker look at whatever matters to it.
     #[inline(always)]
-    pub(super) fn walk(&self, seeker: &mut impl Seeker) {
-        let mut put_off = PutOff { boxes: [(0.0, 0); PUT_OFF], count: 0 };
+    pub(super) fn walk<S: Seeker>(&self, seeker: &mut S) {
+        let mut put_off = PutOff { boxes: [(0.0, 0, S::Note::default()); PUT_OFF], count: 0 };
         let mut next = Some(0);
         while let Some(node) = next {
-            put_off.add(node, seeker.distances(&self.nodes[node as usize]));
+            put_off.add(node, seeker.boxes(&self.nodes[node as usize]));
             next = self.look_until_node(&mut put_off, seeker);
         }
     }
 
     /// Looks at leaves until the nearest of the boxes holds a node.
     #[inline(always)]
-    fn look_until_node(&self, put_off: &mut PutOff, seeker: &mut impl Seeker) -> Option<u32> {
-        while let Some((distance, node, lane)) = put_off.take() {
-            let node = &self.nodes[node as usize];
-            if seeker.matters(distance, || node.middle(lane)) {
-                match node.children[lane] {
+    fn look_until_node<S: Seeker>(
+        &self,
+        put_off: &mut PutOff<S::Note>,
+        seeker: &mut S,
+    ) -> Option<u32> {
+        while let Some((distance, place, note)) = put_off.take() {
+            if seeker.matters(distance, note) {
+                let (node, lane) = (place as usize / LANES, place as usize % LANES);
+                match self.nodes[node].children[lane] {
                     Child::Node(index) => return Some(index),
                     Child::Leaf(index) => seeker.look(&self.leaves[index as usize]),
                 }
@@ -144,37 +153,41 @@ impl Node {
         distances2
     }
 
-    /// Middle and half sides of a box that has contents.
+    /// Middles and half sides of the boxes; no numbers for one without contents.
     #[inline(always)]
-    pub(super) fn middle(&self, lane: usize) -> Middle {
-        let low = Vec2::new(self.x0[lane], self.y0[lane]);
-        let high = Vec2::new(self.x1[lane], self.y1[lane]);
-        Middle { centre: (low + high) * 0.5, half: (high - low) * 0.5 }
+    pub(super) fn middles(&self) -> Middles {
+        let Self { x0, y0, x1, y1, .. } = self;
+        Middles {
+            x: std::array::from_fn(|k| (x0[k] + x1[k]) * 0.5),
+            y: std::array::from_fn(|k| (y0[k] + y1[k]) * 0.5),
+            half_x: std::array::from_fn(|k| (x1[k] - x0[k]) * 0.5),
+            half_y: std::array::from_fn(|k| (y1[k] - y0[k]) * 0.5),
+        }
     }
 }
 
-/// Boxes put off, the nearest of each node on top: distance, and index of node and lane in one.
-struct PutOff {
-    boxes: [(f64, u32); PUT_OFF],
+/// Boxes put off, the nearest of each node on top: distance, index of node and lane in one, and note.
+struct PutOff<Note> {
+    boxes: [(f64, u32, Note); PUT_OFF],
     count: usize,
 }
 
-impl PutOff {
+impl<Note: Copy> PutOff<Note> {
     #[inline(always)]
-    fn add(&mut self, node: u32, distances: [f64; LANES]) {
+    fn add(&mut self, node: u32, (distances, notes): ([f64; LANES], [Note; LANES])) {
         for (distance, lane) in farthest_first(distances) {
             if distance < f64::INFINITY {
-                self.boxes[self.count] = (distance, node * LANES as u32 + lane);
+                self.boxes[self.count] =
+                    (distance, node * LANES as u32 + lane, notes[lane as usize]);
                 self.count += 1;
             }
         }
     }
 
     #[inline(always)]
-    fn take(&mut self) -> Option<(f64, u32, usize)> {
+    fn take(&mut self) -> Option<(f64, u32, Note)> {
         self.count = self.count.checked_sub(1)?;
-        let (distance, place) = self.boxes[self.count];
-        Some((distance, place / LANES as u32, place as usize % LANES))
+        Some(self.boxes[self.count])
     }
 }
 

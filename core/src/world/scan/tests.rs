@@ -6,8 +6,8 @@ use super::*;
 use crate::geometry::rotate;
 use crate::simd::levels;
 use crate::world::bearing::into_frame;
-use crate::world::segments::Segment;
 use crate::world::examples::{all_files, any_place, any_segments, room_file, world};
+use crate::world::segments::Segment;
 
 const FANS: usize = 24;
 

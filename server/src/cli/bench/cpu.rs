@@ -12,7 +12,9 @@ const WINDOW_S: f64 = 0.5;
 
 /// Operations a CPU second, measured several times. `work` does some, a few milliseconds' worth, and
 /// says how many. Where the system does not count CPU time, the clock on the wall must do.
-pub(super) fn per_second(mut work: impl FnMut() -> Result<u64, Failure>) -> Result<Vec<f64>, Failure> {
+pub(super) fn per_second(
+    mut work: impl FnMut() -> Result<u64, Failure>,
+) -> Result<Vec<f64>, Failure> {
     let begun = Instant::now();
     let now = || cpu_seconds().unwrap_or_else(|| begun.elapsed().as_secs_f64());
     work()?;

@@ -18,7 +18,8 @@ const LOGGED_TRIALS: u32 = 500;
 /// Headless, nothing recorded: steps, and whole sets.
 pub(super) fn run() -> Result<Vec<Line>, Failure> {
     let catalog = Catalog::load(None)?;
-    let plans: Vec<_> = (1..=SETS).map(|seed| plan(&catalog, seed, 20)).collect::<Result<_, _>>()?;
+    let plans: Vec<_> =
+        (1..=SETS).map(|seed| plan(&catalog, seed, 20)).collect::<Result<_, _>>()?;
     let mut next = plans.iter().cycle();
     let mut set = || next.next().map_or(Ok(0), steps_of_a_set);
     let steps = cpu::per_second(&mut set)?;
@@ -40,7 +41,8 @@ pub(super) fn office() -> Result<Vec<Line>, Failure> {
     let walls = office.world.world.walls().len();
     let measured = [&laboratory, &office].map(|plan| cpu::per_second(|| steps_of_a_set(plan)));
     let [in_laboratory, in_office] = measured;
-    let note = "whole control steps, default preset, trials from an empty network, seed 1, CPU time";
+    let note =
+        "whole control steps, default preset, trials from an empty network, seed 1, CPU time";
     let laboratory = Line::new("office", "laboratory", "steps/s", in_laboratory?, note);
     let mut office = Line::new("office", &format!("{walls} walls"), "steps/s", in_office?, note);
     let times = laboratory.value / office.value;

@@ -37,9 +37,8 @@ const WALLS: [[f64; 4]; 10] = [
 
 /// The room, the robot at home at the west end of the corridor.
 pub(super) fn room() -> Result<World, WorldError> {
-    let rectangles = RECTANGLES.map(|[x0, y0, x1, y1]| {
-        vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]]
-    });
+    let rectangles =
+        RECTANGLES.map(|[x0, y0, x1, y1]| vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]]);
     let walls = WALLS.map(|[ax, ay, bx, by]| vec![[ax, ay], [bx, by]]);
     let walls = rectangles.into_iter().chain(walls).collect();
     World::new(&file("room", walls, [0.8, 4.0], [9.0, 4.0]), RADIUS_M)

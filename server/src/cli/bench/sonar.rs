@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use sonarium_core::robot::{B21, B21Settings};
 
-use super::room::{CONE_DEG, Disc, RANGE_M, RADIUS_M, follow, room};
+use super::room::{CONE_DEG, Disc, RADIUS_M, RANGE_M, follow, room};
 use super::{Failure, Line, cpu};
 
 /// Steps between two looks at the time.
