@@ -113,11 +113,9 @@ impl Echoes {
         rays: &[Fours],
     ) -> [f64; LANES] {
         let seen = Scaled::new(wall, places);
-        let mut cosine_per_nearness = [0.0; LANES];
-        for k in 0..LANES {
-            let length2 = seen.ex[k] * seen.ex[k] + seen.ey[k] * seen.ey[k];
-            cosine_per_nearness[k] = 1.0 / length2.sqrt();
-        }
+        let cosine_per_nearness: [f64; LANES] = std::array::from_fn(|k| {
+            1.0 / (seen.ex[k] * seen.ex[k] + seen.ey[k] * seen.ey[k]).sqrt()
+        });
         let mut farthest = [f64::INFINITY; LANES];
         for (echoes, rays) in echoes.iter_mut().zip(rays) {
             let nearest = seen.nearer(rays, &echoes.nearness);

@@ -189,7 +189,7 @@ struct Listener<'a> {
 impl Listener<'_> {
     /// How far something is from the places of all fans at least, metres.
     #[inline(always)]
-    fn from_shell_m(&self, distance_m: f64) -> f64 {
+    fn beyond_shell_m(&self, distance_m: f64) -> f64 {
         distance_m - self.shell.radius_m - SLACK_M
     }
 
@@ -213,7 +213,7 @@ impl Seeker for Listener<'_> {
     fn boxes(&self, node: &Node) -> ([f64; LANES], [Fans; LANES]) {
         let reach_m = 1.0 / self.least;
         let distances_m = node.distances2(self.position).map(f64::sqrt);
-        let near = distances_m.map(|far_m| self.from_shell_m(far_m) <= reach_m);
+        let near = distances_m.map(|far_m| self.beyond_shell_m(far_m) <= reach_m);
         let sectors = Sector::of_boxes(&node.middles(), self.position, self.direction);
         let fans = |k: usize| self.shell.dial.fans(sectors[k]);
         (
@@ -224,7 +224,7 @@ impl Seeker for Listener<'_> {
 
     #[inline(always)]
     fn matters(&self, distance_m: f64, fans: Fans) -> bool {
-        !fans.and(self.concerned(self.from_shell_m(distance_m))).is_empty()
+        !fans.and(self.concerned(self.beyond_shell_m(distance_m))).is_empty()
     }
 
     #[inline(always)]
@@ -233,10 +233,10 @@ impl Seeker for Listener<'_> {
         let distances_m = leaf.distances2(self.position).map(f64::sqrt);
         let sectors = Sector::of_walls(&walls);
         let nearest_m = distances_m.into_iter().fold(f64::INFINITY, lesser);
-        let concerned = self.concerned(self.from_shell_m(nearest_m));
-        for k in 0..leaf.count {
+        let concerned = self.concerned(self.beyond_shell_m(nearest_m));
+        for (k, sector) in sectors.into_iter().enumerate().take(leaf.count) {
             let (ax, ay, ex, ey) = (walls.ax[k], walls.ay[k], walls.ex[k], walls.ey[k]);
-            for block in self.shell.dial.fans(sectors[k]).and(concerned) {
+            for block in self.shell.dial.fans(sector).and(concerned) {
                 self.shell.try_block(self.heard, block, Wall { ax, ay, ex, ey });
             }
         }

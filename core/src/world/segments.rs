@@ -3,7 +3,7 @@
 use crate::geometry::Vec2;
 
 use super::bearing::{Walls, into_frame};
-use super::tree::{LANES, Node, Seeker, Tree, lesser};
+use super::tree::{Item, LANES, Node, Seeker, Tree, lesser};
 
 /// How far beyond its ends a segment still stops a ray, as a share of its length: walls that share
 /// a corner leave no gap through rounding.
@@ -224,7 +224,7 @@ impl Seeker for Ray {
 
 impl Leaf {
     /// A leaf of one to four segments with their indices.
-    pub(super) fn new(items: &[(u32, Segment)]) -> Self {
+    pub(super) fn new(items: &[Item]) -> Self {
         let lane = |value: fn(&Segment) -> f64| {
             std::array::from_fn(|k| value(&items[k.min(items.len() - 1)].1))
         };
@@ -259,13 +259,13 @@ impl Leaf {
     #[inline(always)]
     pub(super) fn distances2(&self, point: Vec2) -> [f64; LANES] {
         let mut distances2 = [0.0; LANES];
-        for k in 0..LANES {
+        for (k, distance2) in distances2.iter_mut().enumerate() {
             let (px, py) = (point.x - self.ax[k], point.y - self.ay[k]);
             let along = (px * self.ex[k] + py * self.ey[k]) * self.inverse_length2[k];
             let along = if along > 0.0 { along } else { 0.0 };
             let along = if along < 1.0 { along } else { 1.0 };
             let (dx, dy) = (px - along * self.ex[k], py - along * self.ey[k]);
-            distances2[k] = dx * dx + dy * dy;
+            *distance2 = dx * dx + dy * dy;
         }
         distances2
     }

@@ -14,6 +14,9 @@ pub(super) const LANES: usize = 4;
 /// Boxes a walk can put off: three a level, so enough for a million segments.
 const PUT_OFF: usize = 32;
 
+/// A segment with its index in the world's order.
+pub(super) type Item = (u32, Segment);
+
 /// Boxes within boxes, the segments in the leaves.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tree {
@@ -103,7 +106,7 @@ impl Tree {
     }
 
     /// Adds the node over some segments and all below it; gives its index.
-    fn add_node(&mut self, items: &mut [(u32, Segment)]) -> u32 {
+    fn add_node(&mut self, items: &mut [Item]) -> u32 {
         let index = self.nodes.len();
         self.nodes.push(Node::empty());
         let (first, second) = halves(items);
@@ -133,7 +136,7 @@ impl Node {
     }
 
     /// Sets the box of a lane to the least that holds some segments.
-    fn put_box(&mut self, lane: usize, items: &[(u32, Segment)]) {
+    fn put_box(&mut self, lane: usize, items: &[Item]) {
         let ends = || items.iter().flat_map(|(_, segment)| [segment.a, segment.b]);
         self.x0[lane] = ends().map(|end| end.x).fold(f64::INFINITY, f64::min);
         self.y0[lane] = ends().map(|end| end.y).fold(f64::INFINITY, f64::min);
@@ -145,10 +148,10 @@ impl Node {
     #[inline(always)]
     pub(super) fn distances2(&self, point: Vec2) -> [f64; LANES] {
         let mut distances2 = [0.0; LANES];
-        for k in 0..LANES {
+        for (k, distance2) in distances2.iter_mut().enumerate() {
             let dx = greater(greater(self.x0[k] - point.x, point.x - self.x1[k]), 0.0);
             let dy = greater(greater(self.y0[k] - point.y, point.y - self.y1[k]), 0.0);
-            distances2[k] = dx * dx + dy * dy;
+            *distance2 = dx * dx + dy * dy;
         }
         distances2
     }
@@ -205,7 +208,7 @@ fn farthest_first(distances: [f64; LANES]) -> [(f64, u32); LANES] {
 
 /// Cuts segments in two halves across the longer side of where their middles lie. The first fills
 /// whole leaves; what fits in one leaf is not cut.
-fn halves(items: &mut [(u32, Segment)]) -> (&mut [(u32, Segment)], &mut [(u32, Segment)]) {
+fn halves(items: &mut [Item]) -> (&mut [Item], &mut [Item]) {
     let first = (items.len() / 2).next_multiple_of(LANES);
     if first >= items.len() {
         return items.split_at_mut(items.len());
