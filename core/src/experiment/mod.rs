@@ -3,5 +3,7 @@
 mod minimum_cost_path;
 mod settings;
 
-pub use minimum_cost_path::{Checkpoint, MinimumCostPath, NeuronRef, SetupError};
-pub use settings::Settings;
+pub use minimum_cost_path::{
+    AlteredStart, Checkpoint, Excursion, MinimumCostPath, NeuronRef, SetupError,
+};
+pub use settings::{OnCollision, Settings};

@@ -2,7 +2,7 @@
 
 use crate::geometry::Vec2;
 
-use super::segments::{CORNER_OVERLAP, GRAZING_M};
+use super::ray::{CORNER_OVERLAP, GRAZING_M};
 use super::tree::{LANES, lesser};
 
 /// Two coordinates of each of four fans.

@@ -242,3 +242,40 @@ fn greater(a: f64, b: f64) -> f64 {
 pub(super) fn lesser(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::world::examples::any_segments;
+
+    /// Looks at everything.
+    struct All(Vec<u32>);
+
+    impl Seeker for All {
+        type Note = ();
+
+        fn boxes(&self, node: &Node) -> ([f64; LANES], [(); LANES]) {
+            (node.distances2(Vec2::zeros()), [(); LANES])
+        }
+
+        fn matters(&self, _: f64, (): ()) -> bool {
+            true
+        }
+
+        fn look(&mut self, leaf: &Leaf) {
+            self.0.extend(&leaf.index[..leaf.count]);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn every_segment_is_in_one_leaf(walls in any_segments()) {
+            let mut all = All(Vec::new());
+            Tree::new(&walls).walk(&mut all);
+            all.0.sort_unstable();
+            prop_assert_eq!(all.0, (0..walls.len() as u32).collect::<Vec<_>>());
+        }
+    }
+}

@@ -2,6 +2,7 @@
 //! four boxes, a triangle and three screens. Also worlds of many walls.
 
 use sonarium_core::geometry::{Vec2, unit};
+use sonarium_core::robot::{BodyFile, Robot, RobotError, RobotFile};
 use sonarium_core::world::{
     GoalFile, HomeFile, RayFan, RayRing, RegionFile, World, WorldError, WorldFile,
 };
@@ -42,6 +43,19 @@ pub(super) fn room() -> Result<World, WorldError> {
     let walls = WALLS.map(|[ax, ay, bx, by]| vec![[ax, ay], [bx, by]]);
     let walls = rectangles.into_iter().chain(walls).collect();
     World::new(&file("room", walls, [0.8, 4.0], [9.0, 4.0]), RADIUS_M)
+}
+
+/// The disc that drives in the room, with 24 sonars on its shell.
+pub(super) fn robot() -> Result<Robot, RobotError> {
+    Robot::new(&RobotFile {
+        name: "disc".to_owned(),
+        title: "Disc".to_owned(),
+        summary: "To measure speed".to_owned(),
+        source: "bench".to_owned(),
+        ring: Some(24),
+        body: BodyFile { radius_m: Some(RADIUS_M), ..BodyFile::default() },
+        sonars: Vec::new(),
+    })
 }
 
 /// An office of 20 × 20 rooms of 3 m, each with two doors of 1.2 m, its walls broken into pieces of

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use sonarium_core::robot::{B21, B21Settings};
+use sonarium_core::robot::{SimulatedRobot, SimulationSettings};
 
-use super::room::{CONE_DEG, Disc, RADIUS_M, RANGE_M, follow, room};
+use super::room::{CONE_DEG, Disc, RANGE_M, follow, robot, room};
 use super::{Failure, Line, cpu};
 
 /// Steps between two looks at the time.
@@ -43,17 +43,16 @@ fn bare(rays: usize) -> Result<Line, Failure> {
 
 /// The robot as experiments drive it: noise, lost echoes, infrared, bumpers and rescues.
 fn real(rays: usize) -> Result<Line, Failure> {
-    let world = Arc::new(room()?);
-    let settings = B21Settings {
-        radius_m: RADIUS_M,
+    let settings = SimulationSettings {
         sonar_rays: rays,
         sonar_cone_rad: CONE_DEG.to_radians(),
         sonar_range_m: RANGE_M,
         sonar_critical_rad: 60_f64.to_radians(),
         advance_m: 0.04,
-        ..B21Settings::default()
+        ..SimulationSettings::default()
     };
-    let mut robot = B21::new(world, settings, 1);
+    let robot = robot().map_err(|error| Failure::Failed(error.to_string()))?;
+    let mut robot = SimulatedRobot::new(Arc::new(room()?), Arc::new(robot), settings, 1);
     let measured = cpu::per_second(|| {
         for _ in 0..STEPS {
             let (_, turn) = follow(&robot.sense().sonar_m);
@@ -64,5 +63,5 @@ fn real(rays: usize) -> Result<Line, Failure> {
     let note = "the same room with the robot that experiments use: 1 % noise, no echo beyond 60 deg of \
                 incidence, sonars on the shell, infrared, rescues, 4 cm a step; crosstalk is not \
                 simulated; log off (see run-log)";
-    Ok(Line::new("2-sonar-real", &format!("24x{rays} rays real path"), "steps/s", measured, note))
+    Ok(Line::new("2-sonar", &format!("24x{rays} rays real path"), "steps/s", measured, note))
 }
