@@ -41,6 +41,7 @@ pub mod planner;
 pub mod rng;
 pub mod robot;
 pub mod settings;
+mod simd;
 pub mod stats;
 pub mod tabular;
 pub mod world;

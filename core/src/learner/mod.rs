@@ -28,6 +28,7 @@ mod network;
 mod reward;
 mod settings;
 mod shortcut;
+mod sketch;
 mod stochastic;
 mod trial_end;
 
