@@ -9,13 +9,15 @@
 //! ```
 //! use std::sync::Arc;
 //! use sonarium_core::experiment::{MinimumCostPath, Settings};
+//! use sonarium_core::robot::{Robot, RobotFile};
 //! use sonarium_core::world::{World, WorldFile};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let file: WorldFile = toml::from_str(include_str!("../../assets/worlds/laboratory.toml"))?;
-//! let settings = Settings::default();
-//! let world = Arc::new(World::new(&file, settings.robot().radius_m)?);
-//! let mut run = MinimumCostPath::new(world, &settings, 1)?;
+//! let robot: RobotFile = toml::from_str(include_str!("../../assets/robots/b21.toml"))?;
+//! let world: WorldFile = toml::from_str(include_str!("../../assets/worlds/laboratory.toml"))?;
+//! let robot = Arc::new(Robot::new(&robot)?);
+//! let world = Arc::new(World::new(&world, robot.body().reach_m())?);
+//! let mut run = MinimumCostPath::new(world, robot, &Settings::default(), 1)?;
 //! while run.trials_done() < 20 {
 //!     if let (_, Some(end)) = run.step() {
 //!         assert!(end.record.steps > 0);

@@ -51,6 +51,16 @@ pub enum Standing {
 }
 
 impl Standing {
+    /// All of them.
+    pub const ALL: [Self; 6] = [
+        Self::Literal,
+        Self::Reading,
+        Self::Gap,
+        Self::Deviation,
+        Self::Addition,
+        Self::Simulation,
+    ];
+
     /// Name for files and screen.
     #[must_use]
     pub fn name(self) -> &'static str {

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use sonarium_core::experiment::{Checkpoint, MinimumCostPath, Settings};
 use sonarium_core::geometry::wrap_angle;
 use sonarium_core::learner::{ActionSource, Adaptation, BirthCause, Tick, TrialEnd, TrialRecord};
+use sonarium_core::robot::{Robot, RobotFile};
 use sonarium_core::settings::Value;
 use sonarium_core::world::{World, WorldFile};
 
@@ -12,8 +13,15 @@ fn laboratory() -> Arc<World> {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/worlds/laboratory.toml");
     let text = std::fs::read_to_string(path).expect("the laboratory is among the assets");
     let file: WorldFile = toml::from_str(&text).expect("the laboratory is a world file");
-    let radius_m = Settings::default().robot().radius_m;
+    let radius_m = b21().body().reach_m();
     Arc::new(World::new(&file, radius_m).expect("the laboratory is a good world"))
+}
+
+fn b21() -> Arc<Robot> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/robots/b21.toml");
+    let text = std::fs::read_to_string(path).expect("the B21 is among the assets");
+    let file: RobotFile = toml::from_str(&text).expect("the B21 is a robot file");
+    Arc::new(Robot::new(&file).expect("the B21 is a good robot"))
 }
 
 fn with(changes: &[(&str, Value)]) -> Settings {
@@ -44,7 +52,7 @@ fn run(
 }
 
 fn records(settings: &Settings, seed: u64, trials: u32) -> Vec<TrialRecord> {
-    let mut experiment = MinimumCostPath::new(laboratory(), settings, seed).expect("fits");
+    let mut experiment = MinimumCostPath::new(laboratory(), b21(), settings, seed).expect("fits");
     run(&mut experiment, trials, |_, _| {})
 }
 
@@ -64,7 +72,8 @@ fn the_same_seed_gives_the_same_bits_and_another_seed_does_not() {
     let settings = Settings::default();
     let ticks = |seed| {
         let mut ticks = Vec::new();
-        let mut experiment = MinimumCostPath::new(laboratory(), &settings, seed).expect("fits");
+        let mut experiment =
+            MinimumCostPath::new(laboratory(), b21(), &settings, seed).expect("fits");
         run(&mut experiment, 6, |tick, _| ticks.push(tick.clone()));
         ticks
     };
@@ -77,7 +86,7 @@ fn the_same_seed_gives_the_same_bits_and_another_seed_does_not() {
 fn a_run_resumed_from_any_trial_goes_on_to_the_same_bits() {
     let settings = with(&[("odometry.drift", Value::Number(0.01))]);
     let world = laboratory();
-    let mut whole = MinimumCostPath::new(Arc::clone(&world), &settings, 5).expect("fits");
+    let mut whole = MinimumCostPath::new(Arc::clone(&world), b21(), &settings, 5).expect("fits");
     let mut ticks = Vec::new();
     let mut checkpoints: Vec<Checkpoint> = Vec::new();
     while whole.trials_done() < 8 {
@@ -91,7 +100,7 @@ fn a_run_resumed_from_any_trial_goes_on_to_the_same_bits() {
         let text = serde_json::to_string(&checkpoint).expect("a checkpoint can be written");
         let read: Checkpoint = serde_json::from_str(&text).expect("and read");
         let mut resumed =
-            MinimumCostPath::resume(Arc::clone(&world), &settings, 5, &read).expect("fits");
+            MinimumCostPath::resume(Arc::clone(&world), b21(), &settings, 5, &read).expect("fits");
         let from = read.tick() as usize;
         let mut rest = Vec::new();
         run(&mut resumed, 8, |tick, _| rest.push(tick.clone()));
@@ -138,7 +147,7 @@ fn the_bare_reflex_grows_no_network() {
 #[test]
 fn every_tick_adds_up() {
     let settings = Settings::default();
-    let mut experiment = MinimumCostPath::new(laboratory(), &settings, 8).expect("fits");
+    let mut experiment = MinimumCostPath::new(laboratory(), b21(), &settings, 8).expect("fits");
     let mut total = 0.0;
     let mut last_tick = 0;
     run(&mut experiment, 10, |tick, end| {
@@ -168,7 +177,7 @@ fn every_tick_adds_up() {
 #[test]
 fn a_situation_that_turns_out_far_better_gets_its_own_neuron() {
     let settings = with(&[("learner.split_threshold", Value::Number(1.0))]);
-    let mut experiment = MinimumCostPath::new(laboratory(), &settings, 2).expect("fits");
+    let mut experiment = MinimumCostPath::new(laboratory(), b21(), &settings, 2).expect("fits");
     let mut splits = Vec::new();
     run(&mut experiment, 3, |tick, _| {
         if let Adaptation::Split { past, delta, added } = tick.decision.adaptation {
@@ -187,7 +196,7 @@ fn a_situation_that_turns_out_far_better_gets_its_own_neuron() {
 #[test]
 fn back_tracking_gives_the_reinforcement_to_the_goal() {
     let mut experiment =
-        MinimumCostPath::new(laboratory(), &Settings::default(), 21).expect("fits");
+        MinimumCostPath::new(laboratory(), b21(), &Settings::default(), 21).expect("fits");
     let mut path = Vec::new();
     loop {
         let (tick, end) = experiment.step();
@@ -227,7 +236,7 @@ fn contradictions_name_the_setting() {
         ("learner.temperature_min", 200.0, "learner.temperature_min"),
     ] {
         let settings = with(&[(key, Value::Number(value))]);
-        let error = MinimumCostPath::new(laboratory(), &settings, 1).expect_err(key);
+        let error = MinimumCostPath::new(laboratory(), b21(), &settings, 1).expect_err(key);
         assert_eq!(error.field(), field, "{error}");
     }
 }

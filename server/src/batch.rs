@@ -10,7 +10,7 @@ use std::thread;
 
 use crate::catalog::{FieldError, Plan};
 use crate::session::{Run, summary};
-use crate::wire::{RunResult, Trial};
+use crate::wire::{AlteredStartView, RunResult, Trial};
 
 /// Does the jobs on so many threads and hands over each result as soon as all before it are there.
 /// When `take` refuses one, no further job is begun.
@@ -76,12 +76,12 @@ pub fn set(plan: &Plan, done: impl Fn()) -> Result<RunResult, FieldError> {
     let mut run = Run::new(plan)?;
     let trials = std::iter::repeat_with(|| run.step_silently()).flatten();
     let trials = trials.take(plan.trials as usize).inspect(|_| done()).collect();
-    Ok(result(plan, trials))
+    Ok(result(plan, trials, run.altered_starts(&plan.starts)))
 }
 
-/// The whole result of a plan that was run.
+/// The whole result of a plan that was run, with what its networks did from altered starts.
 #[must_use]
-pub fn result(plan: &Plan, trials: Vec<Trial>) -> RunResult {
+pub fn result(plan: &Plan, trials: Vec<Trial>, starts: Vec<AlteredStartView>) -> RunResult {
     RunResult {
         experiment: plan.experiment.clone(),
         seed: plan.seed,
@@ -89,6 +89,7 @@ pub fn result(plan: &Plan, trials: Vec<Trial>) -> RunResult {
         settings: plan.values.clone(),
         summary: summary(&trials),
         trials,
+        starts: starts.into_iter().map(AlteredStartView::without_paths).collect(),
     }
 }
 

@@ -8,6 +8,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::fuzzy::{Inference, Triangle, centre_of_area, falling};
+use crate::geometry::wrap_angle;
+use crate::robot::Mount;
 
 /// `left`, `forward`, `right`: overlapping triangles that span `[-π, π]`.
 const DIRECTIONS: [Triangle; 3] = [
@@ -16,8 +18,9 @@ const DIRECTIONS: [Triangle; 3] = [
     Triangle { left: -PI, peak: -FRAC_PI_2, right: 0.0 },
 ];
 
-/// Sonars ahead (within 30°), to the left (45°-75°) and to the right.
-const SECTORS: [&[usize]; 3] = [&[22, 23, 0, 1, 2], &[3, 4, 5], &[19, 20, 21]];
+/// Greatest bearings of the sonars that look ahead, and of those that look to a side, degrees.
+const AHEAD_DEG: f64 = 30.0;
+const SIDE_DEG: f64 = 75.0;
 
 /// Settings of the reflex.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,23 +62,26 @@ pub struct ReflexTrace {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reflex {
     settings: ReflexSettings,
+    /// Sonars that look ahead, to the left and to the right.
+    sectors: [Vec<usize>; 3],
 }
 
 impl Reflex {
-    /// A reflex with these settings.
+    /// A reflex with these settings for a robot with these sonars.
     #[must_use]
-    pub fn new(settings: ReflexSettings) -> Self {
-        Self { settings }
+    pub fn new(settings: ReflexSettings, sonars: &[Mount]) -> Self {
+        Self { settings, sectors: sectors(sonars) }
     }
 
     /// The rotation it advises, with every activation on the way.
     ///
-    /// `sonar_m` are the 24 readings counter-clockwise from the heading; `goal_bearing_rad` is in
-    /// `[-π, π)`.
+    /// `sonar_m` is one reading for each sonar; `goal_bearing_rad` is in `[-π, π)`.
     #[must_use]
-    pub fn advise(&self, sonar_m: &[f64; 24], goal_bearing_rad: f64) -> ReflexTrace {
+    pub fn advise(&self, sonar_m: &[f64], goal_bearing_rad: f64) -> ReflexTrace {
         let settings = &self.settings;
-        let nearest_m = SECTORS
+        let nearest_m = self
+            .sectors
+            .each_ref()
             .map(|sector| sector.iter().map(|&sonar| sonar_m[sonar]).fold(f64::INFINITY, f64::min));
         let near = [
             falling(nearest_m[0], settings.front_m.0, settings.front_m.1),
@@ -116,25 +122,50 @@ impl Reflex {
     }
 }
 
+/// Sonars ahead (within 30°), to the left (beyond, to 75°) and to the right.
+fn sectors(sonars: &[Mount]) -> [Vec<usize>; 3] {
+    // A bearing on a border counts as inside, however its degrees were rounded.
+    let within = |bearing_deg: f64, limit_deg: f64| bearing_deg <= limit_deg + 1e-9;
+    let mut sectors = [Vec::new(), Vec::new(), Vec::new()];
+    for (sonar, mount) in sonars.iter().enumerate() {
+        let bearing_deg = wrap_angle(mount.axis_rad).to_degrees();
+        if within(bearing_deg.abs(), AHEAD_DEG) {
+            sectors[0].push(sonar);
+        } else if within(bearing_deg.abs(), SIDE_DEG) {
+            sectors[if bearing_deg > 0.0 { 1 } else { 2 }].push(sonar);
+        }
+    }
+    sectors
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
     use super::*;
     use crate::experiment::Settings;
+    use crate::robot::examples::{b21, trc};
 
     fn reflex() -> Reflex {
-        Reflex::new(Settings::default().reflex())
+        Reflex::new(Settings::default().reflex(), b21().sonars())
     }
 
     fn readings(front: f64, left: f64, right: f64) -> [f64; 24] {
         let mut sonar_m = [8.0; 24];
-        for (sector, reading) in SECTORS.iter().zip([front, left, right]) {
-            for &sonar in *sector {
+        for (sector, reading) in reflex().sectors.iter().zip([front, left, right]) {
+            for &sonar in sector {
                 sonar_m[sonar] = reading;
             }
         }
         sonar_m
+    }
+
+    #[test]
+    fn the_sectors_are_those_of_the_bearings() {
+        let ahead_left_right = [vec![0, 1, 2, 22, 23], vec![3, 4, 5], vec![19, 20, 21]];
+        assert_eq!(sectors(b21().sonars()), ahead_left_right);
+        let front = [vec![3, 4, 5, 6], vec![0, 1, 2], vec![7, 8, 9]];
+        assert_eq!(sectors(trc().sonars()), front);
     }
 
     #[test]

@@ -1,18 +1,23 @@
-//! The minimum-cost path of chapter 5: a B21 learns its way from home to the goal.
+//! The minimum-cost path of chapter 5: a robot learns its way from home to the goal.
+
+mod altered_start;
+
+pub use altered_start::{AlteredStart, Excursion};
 
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::Settings;
+use super::{OnCollision, Settings};
 use crate::control::Reflex;
 use crate::geometry::{Pose, Vec2};
 use crate::learner::{
-    Birth, Consequence, Decision, Learner, LearnerSettings, Memory, Neuron, NeuronId, Observation,
-    Outcome, RewardSettings, Tick, TrialEnd, TrialRecord, reinforcement,
+    Birth, Consequence, DISTANCE_UNITS, Decision, Learner, LearnerSettings, Memory, Neuron,
+    NeuronId, Observation, Outcome, RewardSettings, SonarFrame, Tick, TrialEnd, TrialRecord,
+    reinforcement,
 };
 use crate::rng::{Purpose, stream};
-use crate::robot::{B21, Contact, Motion, Sensed};
+use crate::robot::{Contact, Motion, Robot, Sensed, SimulatedRobot};
 use crate::world::World;
 
 /// A neuron as others may look at it.
@@ -22,8 +27,8 @@ pub struct NeuronRef<'a> {
     pub id: NeuronId,
     /// Index of the network it belongs to; that of its region, unless there is one network only.
     pub region: usize,
-    /// Centre `c`: 24 sonars, 8 distance units.
-    pub centre: &'a [f64; 32],
+    /// Centre `c`: one input a sonar, then 8 distance units.
+    pub centre: &'a [f64],
     /// Prototypical action `p`, radians, in the frame of the setting `learner.action_frame`.
     pub prototypical_rad: f64,
     /// Heading that `p` meant at its birth pose, radians.
@@ -116,8 +121,11 @@ pub struct MinimumCostPath {
     world: Arc<World>,
     reward: RewardSettings,
     step_cap: u32,
+    on_collision: OnCollision,
     seed: u64,
-    robot: B21,
+    robot: SimulatedRobot,
+    /// Inputs of a neuron that the robot's sonars and the distance units fill.
+    inputs: usize,
     learner: Learner,
     /// What is sensed and not yet decided upon; none between trials.
     observation: Option<Observation>,
@@ -132,16 +140,22 @@ impl MinimumCostPath {
     ///
     /// # Errors
     /// When two settings contradict each other.
-    pub fn new(world: Arc<World>, settings: &Settings, seed: u64) -> Result<Self, SetupError> {
-        check(settings)?;
+    pub fn new(
+        world: Arc<World>,
+        robot: Arc<Robot>,
+        settings: &Settings,
+        seed: u64,
+    ) -> Result<Self, SetupError> {
+        check(settings, &robot)?;
         let learner = Learner::new(
             LearnerSettings::from(settings),
-            Reflex::new(settings.reflex()),
+            Arc::clone(&robot),
+            Reflex::new(settings.reflex(), robot.sonars()),
             world.regions().len(),
             world.goal().centre,
             stream(seed, 0, Purpose::Exploration),
         );
-        Ok(Self::with(world, settings, seed, learner))
+        Ok(Self::with(world, robot, settings, seed, learner))
     }
 
     /// Goes on after a checkpoint, to the same bits that a run never stopped gives.
@@ -150,11 +164,12 @@ impl MinimumCostPath {
     /// When two settings contradict each other, or the checkpoint is of a world with other regions.
     pub fn resume(
         world: Arc<World>,
+        robot: Arc<Robot>,
         settings: &Settings,
         seed: u64,
         checkpoint: &Checkpoint,
     ) -> Result<Self, SetupError> {
-        check(settings)?;
+        check(settings, &robot)?;
         let memory = checkpoint.memory.clone();
         let (expected, found) = (world.regions().len(), memory.networks().len());
         if expected != found {
@@ -163,19 +178,28 @@ impl MinimumCostPath {
         let rng = stream(seed, memory.trials(), Purpose::Exploration);
         let learner = Learner::remember(
             LearnerSettings::from(settings),
-            Reflex::new(settings.reflex()),
+            Arc::clone(&robot),
+            Reflex::new(settings.reflex(), robot.sonars()),
             world.goal().centre,
             memory,
             rng,
         );
-        Ok(Self::with(world, settings, seed, learner))
+        Ok(Self::with(world, robot, settings, seed, learner))
     }
 
-    fn with(world: Arc<World>, settings: &Settings, seed: u64, learner: Learner) -> Self {
+    fn with(
+        world: Arc<World>,
+        robot: Arc<Robot>,
+        settings: &Settings,
+        seed: u64,
+        learner: Learner,
+    ) -> Self {
         Self {
-            robot: B21::new(Arc::clone(&world), settings.robot(), seed),
+            inputs: robot.sonars().len() + DISTANCE_UNITS,
+            robot: SimulatedRobot::new(Arc::clone(&world), robot, settings.simulation(), seed),
             reward: LearnerSettings::from(settings).reward,
             step_cap: settings.step_cap,
+            on_collision: settings.on_collision,
             seed,
             learner,
             observation: None,
@@ -203,7 +227,7 @@ impl MinimumCostPath {
         let outcome = self.judge(&sensed, &motion);
         self.count(&observation, &outcome, true_pose.position());
         let tick = self.explain(&observation, decision, outcome, true_pose, reflectance_pct);
-        let over = outcome.reached_goal || self.tally.steps >= self.step_cap;
+        let over = self.is_over(outcome.reached_goal, outcome.contact, self.tally.steps);
         self.end = over.then(|| self.end_trial(outcome.reached_goal, tick.tick));
         if !over {
             self.observation = Some(self.observe(&sensed, motion.contact));
@@ -248,7 +272,7 @@ impl MinimumCostPath {
         NeuronRef {
             id: neuron.id,
             region,
-            centre: &neuron.centre,
+            centre: &neuron.centre[..self.inputs],
             prototypical_rad: neuron.prototypical_rad,
             heading_rad: self.learner.heading_of(neuron),
             mean_deg: neuron.mean_deg,
@@ -267,8 +291,24 @@ impl MinimumCostPath {
         self.observe(&sensed, Contact::None)
     }
 
+    /// Whether a trial is over. Section 5.11, Simulation vs. Reality: the simulated robot was killed at a
+    /// collision, the real one rescued.
+    fn is_over(&self, reached_goal: bool, contact: Contact, steps: u32) -> bool {
+        let killed = self.on_collision == OnCollision::End && contact != Contact::None;
+        reached_goal || killed || steps >= self.step_cap
+    }
+
     fn observe(&self, sensed: &Sensed, contact: Contact) -> Observation {
-        let pose = self.robot.pose();
+        self.observe_with(&self.robot, sensed, contact)
+    }
+
+    fn observe_with(
+        &self,
+        robot: &SimulatedRobot,
+        sensed: &Sensed,
+        contact: Contact,
+    ) -> Observation {
+        let pose = robot.pose();
         Observation {
             sonar_m: sensed.sonar_m,
             pose,
@@ -374,7 +414,17 @@ impl MinimumCostPath {
 }
 
 /// Checks what no single setting can.
-fn check(settings: &Settings) -> Result<(), SetupError> {
+fn check(settings: &Settings, robot: &Robot) -> Result<(), SetupError> {
+    if settings.sonar_frame == SonarFrame::Odometry && !robot.has_even_ring() {
+        return Err(SetupError::Contradiction {
+            key: "input.sonar_frame",
+            expected: format!(
+                "`robot`, since the sonars of the {} are no even ring that could be shifted",
+                robot.title()
+            ),
+            found: "`odometry`".to_owned(),
+        });
+    }
     let below = |key, least: f64, most: f64, than: &str| {
         if least < most {
             return Ok(());
@@ -386,6 +436,7 @@ fn check(settings: &Settings) -> Result<(), SetupError> {
         })
     };
     below("reflex.front_near", settings.front_near_m, settings.front_free_m, "reflex.front_free")?;
+    below("sonar.least", settings.sonar_least_m, settings.sonar_range_m, "sonar.range")?;
     below("reflex.side_near", settings.side_near_m, settings.side_free_m, "reflex.side_free")?;
     if settings.temperature_min_deg > settings.temperature_max_deg {
         return Err(SetupError::Contradiction {

@@ -20,5 +20,7 @@ pub use continual::ContinualSettings;
 pub use gridworld::{GridworldSettings, Learners};
 pub use horizon::{HorizonRun, HorizonSettings, HorizonStep, Model};
 pub use labyrinth::{ContestError, LabyrinthExtras, LabyrinthSettings};
-pub use minimum_cost_path::{Checkpoint, MinimumCostPath, NeuronRef, SetupError};
-pub use settings::Settings;
+pub use minimum_cost_path::{
+    AlteredStart, Checkpoint, Excursion, MinimumCostPath, NeuronRef, SetupError,
+};
+pub use settings::{OnCollision, Settings};

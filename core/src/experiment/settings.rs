@@ -9,7 +9,15 @@ use crate::learner::{
     ActionFrame, AfterRescue, Deviation, FirstAction, MeanUpdate, NoveltyMetric, Partition,
     Replacement, SonarFrame,
 };
-use crate::robot::B21Settings;
+use crate::robot::SimulationSettings;
+
+crate::choice! {
+    /// What a collision, real or virtual, does to a trial.
+    pub enum OnCollision {
+        Rescue = "rescue": "the robot backs off and the trial goes on, as on the physical robot",
+        End = "end": "the trial ends, failed, and the robot is put back home, as in the simulation of section 5.11",
+    }
+}
 
 crate::settings! {
     /// Settings of the experiment `minimum-cost-path`.
@@ -18,6 +26,7 @@ crate::settings! {
         sonar_cone_deg: f64 = 15.0, "sonar.cone" [1.0, 60.0] "deg", Simulation, "section 5.3, reading", "Full angle of a sonar cone";
         sonar_rays: u32 = 5, "sonar.rays" [1.0, 31.0] "", Simulation, "reading", "Rays per cone; the reading is the least of them";
         sonar_range_m: f64 = 8.0, "sonar.range" [0.5, 50.0] "m", Simulation, "reading", "Greatest sonar reading";
+        sonar_least_m: f64 = 0.0, "sonar.least" [0.0, 1.0] "m", Simulation, "section 2.2, reading", "Least sonar reading";
         sonar_critical_deg: f64 = 90.0, "sonar.critical_angle" [10.0, 90.0] "deg", Simulation, "chapter 2, reading", "Incidence beyond which a ray returns no echo (specular loss); 90 loses none";
         sonar_dropout: f64 = 0.0, "sonar.dropout" [0.0, 1.0] "", Simulation, "chapter 2, reading", "Probability that a sonar misses its echo and reads its range";
         infrared_range_m: f64 = 0.5, "infrared.range" [0.1, 2.0] "m", Literal, "section 5.5, note", "Distance beyond which the infrared sensors see nothing";
@@ -28,6 +37,7 @@ crate::settings! {
         clear_to_m: f64 = 0.15, "motion.clear_to" [0.02, 0.5] "m", Gap, "section 5.5", "Clearance at which a rescue ends";
         back_min_m: f64 = 0.1, "motion.back_least" [0.0, 0.5] "m", Gap, "section 5.5", "Least way backed off in a rescue";
         step_cap: u32 = 200, "trial.step_cap" [1.0, 100_000.0] "", Simulation, "reading", "Steps after which a trial counts as failed";
+        on_collision: OnCollision = OnCollision::Rescue, "trial.on_collision" "", Literal, "section 5.11, Simulation vs. Reality", "What a real or virtual collision does to the trial";
         collision_penalty: f64 = -3.0, "reward.collision" [-100.0, 0.0] "", Literal, "Eq. (5.6)", "Reinforcement of a collision";
         close_m: f64 = 0.2, "reward.close_distance" [0.01, 2.0] "m", Gap, "Eq. (5.6), d_c", "Sonar reading below which being close is penalised; tuned in the laboratory";
         avoid_desirability: f64 = 0.9, "reflex.avoid" [0.0, 1.0] "", Literal, "Eq. (5.8), d_a", "Desirability of obstacle avoidance";
@@ -41,7 +51,7 @@ crate::settings! {
         goal_span_deg: f64 = 60.0, "reflex.goal_span" [1.0, 180.0] "deg", Gap, "section 5.6", "Bearing of the goal at which following it is all turning";
         sonar_span_m: f64 = 8.0, "input.sonar_span" [0.5, 50.0] "m", Gap, "Eq. (5.3)", "Reading that is normalised to 1";
         distance_span_m: f64 = 6.0, "input.distance_span" [0.5, 100.0] "m", Gap, "Eq. (5.4)", "Distance to the goal that is normalised to 1";
-        sonar_frame: SonarFrame = SonarFrame::Robot, "input.sonar_frame" "", Literal, "section 5.6", "Frame in which the 24 sonars enter the input";
+        sonar_frame: SonarFrame = SonarFrame::Robot, "input.sonar_frame" "", Literal, "section 5.6", "Frame in which the sonars enter the input";
         learning: bool = true, "learner.learning" "", Literal, "Algorithm 9", "Learn; off: the bare reflex drives";
         partition: Partition = Partition::World, "learner.regions" "", Literal, "Algorithm 8", "Which networks there are";
         novelty: f64 = 0.1, "learner.novelty" [0.001, 2.0] "", Literal, "Eq. (5.9), ς", "Width of a receptive field: a farther situation is new";
@@ -75,14 +85,15 @@ crate::settings! {
 }
 
 impl Settings {
-    /// The robot's share of the settings.
+    /// The simulation's share of the settings.
     #[must_use]
-    pub fn robot(&self) -> B21Settings {
-        B21Settings {
+    pub fn simulation(&self) -> SimulationSettings {
+        SimulationSettings {
             sonar_noise: self.sonar_noise,
             sonar_cone_rad: self.sonar_cone_deg.to_radians(),
             sonar_rays: self.sonar_rays as usize,
             sonar_range_m: self.sonar_range_m,
+            sonar_least_m: self.sonar_least_m,
             sonar_critical_rad: self.sonar_critical_deg.to_radians(),
             sonar_dropout: self.sonar_dropout,
             infrared_range_m: self.infrared_range_m,
@@ -92,7 +103,8 @@ impl Settings {
             advance_m: self.advance_m,
             clear_to_m: self.clear_to_m,
             back_min_m: self.back_min_m,
-            ..B21Settings::default()
+            rescue: self.on_collision == OnCollision::Rescue,
+            ..SimulationSettings::default()
         }
     }
 

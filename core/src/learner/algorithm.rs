@@ -1,5 +1,11 @@
 //! Algorithm 9 as a state machine.
 
+mod recall;
+
+pub use recall::{Recall, Silence};
+
+use std::sync::Arc;
+
 use rand_chacha::ChaCha8Rng;
 
 use super::critic::{PastSituation, adapt, td_error};
@@ -13,7 +19,7 @@ use super::{
 };
 use crate::control::{Reflex, ReflexTrace};
 use crate::geometry::{Pose, Vec2, angle, unit, wrap_angle};
-use crate::robot::Contact;
+use crate::robot::{Contact, Mount, Readings, Robot};
 
 /// The past situation, waiting for its consequence to be judged.
 #[derive(Clone, Debug)]
@@ -78,6 +84,7 @@ impl Situation<'_> {
 #[derive(Clone, Debug)]
 pub struct Learner {
     settings: LearnerSettings,
+    robot: Arc<Robot>,
     reflex: Reflex,
     goal: Vec2,
     memory: Memory,
@@ -97,19 +104,21 @@ impl Learner {
     #[must_use]
     pub fn new(
         settings: LearnerSettings,
+        robot: Arc<Robot>,
         reflex: Reflex,
         regions: usize,
         goal: Vec2,
         rng: ChaCha8Rng,
     ) -> Self {
         let memory = Memory::empty(&settings, regions);
-        Self::remember(settings, reflex, goal, memory, rng)
+        Self::remember(settings, robot, reflex, goal, memory, rng)
     }
 
     /// A learner that goes on from a memory, at the start of a trial.
     #[must_use]
     pub fn remember(
         settings: LearnerSettings,
+        robot: Arc<Robot>,
         reflex: Reflex,
         goal: Vec2,
         memory: Memory,
@@ -117,6 +126,7 @@ impl Learner {
     ) -> Self {
         Self {
             settings,
+            robot,
             reflex,
             goal,
             memory,
@@ -179,7 +189,8 @@ impl Learner {
         step.reinforcement = consequence.reinforcement.total();
         step.safety = consequence.reinforcement.safety;
         if step.paid() > 0.0 {
-            step.away = away_from_nearest(&consequence.sonar_m, consequence.pose);
+            step.away =
+                away_from_nearest(self.robot.sonars(), &consequence.sonar_m, consequence.pose);
         }
         past.situation.reinforcement = step.reinforcement;
         self.path.push(step);
@@ -473,14 +484,7 @@ impl Learner {
 }
 
 /// Unit vector away from where the least reading looks, odometry frame.
-fn away_from_nearest(sonar_m: &[f64; 24], pose: Pose) -> Vec2 {
-    let mut nearest = 0;
-    for sonar in 1..sonar_m.len() {
-        if sonar_m[sonar] < sonar_m[nearest] {
-            nearest = sonar;
-        }
-    }
-    #[expect(clippy::cast_precision_loss, reason = "at most 23")]
-    let bearing_rad = (15.0 * nearest as f64).to_radians();
+fn away_from_nearest(sonars: &[Mount], sonar_m: &Readings, pose: Pose) -> Vec2 {
+    let bearing_rad = sonars[sonar_m.nearest()].axis_deg.to_radians();
     -unit(pose.heading_rad + bearing_rad)
 }

@@ -3,13 +3,13 @@
 use super::{ActionSource, Adaptation, Exploration, NeuronId, Reinforcement, Winner};
 use crate::control::ReflexTrace;
 use crate::geometry::{Pose, Vec2};
-use crate::robot::Contact;
+use crate::robot::{Contact, Readings};
 
 /// What the learner is told before it decides.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observation {
-    /// The 24 sonar readings, metres.
-    pub sonar_m: [f64; 24],
+    /// The sonar readings, metres.
+    pub sonar_m: Readings,
     /// Believed pose.
     pub pose: Pose,
     /// Region the robot believes to be in.
@@ -53,7 +53,7 @@ pub struct Decision {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Consequence {
     /// Readings after the motion, metres.
-    pub sonar_m: [f64; 24],
+    pub sonar_m: Readings,
     /// Believed pose after the motion.
     pub pose: Pose,
     /// Believed displacement, metres.

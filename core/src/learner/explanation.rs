@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Decision;
 use crate::geometry::{Pose, Vec2};
-use crate::robot::Contact;
+use crate::robot::{Contact, Readings};
 
 /// Number of a neuron in a session: unique, never used again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -182,8 +182,8 @@ pub struct Tick {
     pub true_pose: Pose,
     /// Believed pose (odometry) when sensing.
     pub pose: Pose,
-    /// Sonar readings, metres from the shell, sonar `i` at `15°·i` counter-clockwise.
-    pub sonar_m: [f64; 24],
+    /// Sonar readings, metres from each sonar, in the order of the robot's mounts.
+    pub sonar_m: Readings,
     /// Strongest infrared reflectance, percent of full reflection.
     pub reflectance_pct: f64,
     /// Index of the region the robot believes to be in.

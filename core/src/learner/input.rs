@@ -1,18 +1,26 @@
-//! The input vector of section 5.4: 24 normalised sonars and 8 distance units.
+//! The input vector of section 5.4: normalised sonars and 8 distance units.
+//!
+//! It has room for the most sonars a robot may have. With fewer, zeros stand at its end, which change no
+//! distance: the same 32 lanes serve every robot.
 
 use crate::geometry::Pose;
+use crate::robot::MOST_SONARS;
 
-/// Number of inputs.
-pub const INPUTS: usize = 32;
+/// Number of distance units.
+pub const DISTANCE_UNITS: usize = 8;
 
-/// The input vector `x`, Eq. (5.5).
+/// Greatest number of inputs.
+pub const INPUTS: usize = MOST_SONARS + DISTANCE_UNITS;
+
+/// The input vector `x`, Eq. (5.5): sonars, distance units, zeros.
 pub type Input = [f64; INPUTS];
 
 /// Centres `μ_i` of the eight processing units, Eq. (5.4) and fig. 5.3.
-const UNITS: [f64; 8] = [0.0625, 0.1875, 0.3125, 0.4375, 0.5625, 0.6875, 0.8125, 0.9375];
+const UNITS: [f64; DISTANCE_UNITS] =
+    [0.0625, 0.1875, 0.3125, 0.4375, 0.5625, 0.6875, 0.8125, 0.9375];
 
 crate::choice! {
-    /// Frame in which the 24 sonars enter the input.
+    /// Frame in which the sonars enter the input.
     pub enum SonarFrame {
         Robot = "robot": "counter-clockwise from the heading; the B21 has no turret",
         Odometry = "odometry": "shifted by whole sonars against the heading: a virtual turret",
@@ -33,30 +41,33 @@ pub struct InputSettings {
 impl InputSettings {
     /// The input at a situation.
     #[must_use]
-    pub fn encode(&self, sonar_m: &[f64; 24], pose: Pose, goal_distance_m: f64) -> Input {
+    pub fn encode(&self, sonar_m: &[f64], pose: Pose, goal_distance_m: f64) -> Input {
         // Eq. (5.5): x = (s, ρ)
         let mut x = [0.0; INPUTS];
-        let shift = self.shift(pose);
+        let sonars = sonar_m.len();
+        let shift = self.shift(pose, sonars);
         // Eq. (5.3): s_i in [0, 1]
-        for (i, s) in x[..24].iter_mut().enumerate() {
-            *s = (sonar_m[(i + shift) % 24] / self.sonar_span_m).min(1.0);
+        for (i, s) in x[..sonars].iter_mut().enumerate() {
+            *s = (sonar_m[(i + shift) % sonars] / self.sonar_span_m).min(1.0);
         }
         let rho = (goal_distance_m / self.distance_span_m).min(1.0);
         // Eq. (5.4): φ_i = exp(-(μ_i - ρ)²)
-        for (phi, unit) in x[24..].iter_mut().zip(UNITS) {
+        for (phi, unit) in x[sonars..].iter_mut().zip(UNITS) {
             *phi = libm::exp(-(unit - rho) * (unit - rho));
         }
         x
     }
 
-    /// Sonars to shift by so that input 0 looks along the frame's x axis.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in 0..24")]
-    fn shift(&self, pose: Pose) -> usize {
+    /// Sonars to shift by so that input 0 looks along the frame's x axis; the sonars are an even ring
+    /// unless the frame is the robot's.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in 0..2 sonars")]
+    fn shift(&self, pose: Pose, sonars: usize) -> usize {
         match self.sonar_frame {
             SonarFrame::Robot => 0,
             SonarFrame::Odometry => {
-                let turned = libm::round(pose.heading_rad.to_degrees() / 15.0);
-                (24.0 - turned) as usize % 24
+                let ring = sonars as f64;
+                let turned = libm::round(pose.heading_rad.to_degrees() / (360.0 / ring));
+                (ring - turned) as usize % sonars
             }
         }
     }
@@ -81,6 +92,15 @@ mod tests {
         assert_eq!(x[27].to_bits(), x[28].to_bits());
         assert!((x[27] - (-0.062_5f64 * 0.062_5).exp()).abs() < 1e-15);
         assert!(x[24] < x[25] && x[31] < x[30]);
+    }
+
+    #[test]
+    fn fewer_sonars_leave_zeros_at_the_end() {
+        let x = settings(SonarFrame::Robot).encode(&[4.0; 10], Pose::default(), 3.0);
+        let full = settings(SonarFrame::Robot).encode(&[4.0; 24], Pose::default(), 3.0);
+        assert_eq!(x[..10], [0.5; 10]);
+        assert_eq!(x[10..18], full[24..], "the distance units follow the sonars");
+        assert_eq!(x[18..], [0.0; 14]);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! | symbol | here | meaning |
 //! |---|---|---|
-//! | `x` | [`Input`] | 32 inputs: 24 sonars, 8 distance units, Eq. (5.5) |
+//! | `x` | [`Input`] | inputs: sonars, 8 distance units, Eq. (5.5) |
 //! | `c, p, u, μ` | [`Neuron`] | centre, prototypical action, utility, mean |
 //! | `ς` | `novelty` | width of a receptive field, Eq. (5.9) |
 //! | `T(n)` | `temperature_deg` | computational temperature, Eq. (5.16)-(5.17) |
@@ -28,10 +28,10 @@ mod settings;
 mod stochastic;
 mod trial_end;
 
-pub use algorithm::Learner;
+pub use algorithm::{Learner, Recall, Silence};
 pub use exchange::{Consequence, Decision, Observation};
 pub use explanation::*;
-pub use input::{INPUTS, Input, InputSettings, SonarFrame};
+pub use input::{DISTANCE_UNITS, INPUTS, Input, InputSettings, SonarFrame};
 pub use memory::Memory;
 pub use network::{Network, Neuron, NoveltyMetric, Partition};
 pub use reward::{RewardSettings, reinforcement};

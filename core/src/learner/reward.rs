@@ -18,7 +18,7 @@ pub struct RewardSettings {
 #[must_use]
 pub fn reinforcement(
     settings: &RewardSettings,
-    sonar_m: &[f64; 24],
+    sonar_m: &[f64],
     contact: Contact,
     goal_bearing_rad: f64,
 ) -> Reinforcement {

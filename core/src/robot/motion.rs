@@ -7,8 +7,8 @@
 use crate::geometry::Vec2;
 use crate::world::World;
 
-use super::Contact;
-use super::b21::B21Settings;
+use super::simulated::SimulationSettings;
+use super::{Body, Contact};
 
 /// Slack on a clearance known from an earlier place, metres; far more than rounding can add up to.
 const SLACK_M: f64 = 1e-9;
@@ -26,14 +26,25 @@ pub struct Motion {
     pub moved: Vec2,
 }
 
+/// How far a rotation came before the body would have touched something.
+pub(super) struct Turn {
+    /// Share of the rotation executed.
+    pub(super) share: f64,
+    /// Real, when it was cut short.
+    pub(super) contact: Contact,
+    /// Clearance of the body after it, metres.
+    pub(super) clearance_m: f64,
+}
+
 /// A straight way ahead of the robot.
 pub(super) struct Course<'a> {
     pub(super) world: &'a World,
-    pub(super) settings: &'a B21Settings,
+    pub(super) body: Body,
+    pub(super) settings: &'a SimulationSettings,
     pub(super) start: Vec2,
     /// Unit vector of the heading.
     pub(super) direction: Vec2,
-    /// Clearance of the shell at the start, metres.
+    /// Clearance of the body at the start, metres.
     pub(super) start_clearance_m: f64,
 }
 
@@ -42,15 +53,20 @@ pub(super) struct Way {
     pub(super) contact: Contact,
     pub(super) advanced_m: f64,
     pub(super) backed_m: f64,
-    /// Clearance of the shell at the end, metres.
+    /// Clearance of the body at the end, metres.
     pub(super) clearance_m: f64,
 }
 
 impl Course<'_> {
-    /// Advances one step's way, with the rescue if that ends in a collision.
-    pub(super) fn travel(&self) -> Way {
-        let (contact, advanced_m) = self.advance();
-        let backed_m = if contact == Contact::None { 0.0 } else { self.back_off(advanced_m) };
+    /// Advances one step's way, unless the rotation before it was cut short, with the rescue if that
+    /// ends in a collision.
+    pub(super) fn travel(&self, turned_into: Contact) -> Way {
+        let (contact, advanced_m) = match turned_into {
+            Contact::None => self.advance(),
+            stopped => (stopped, 0.0),
+        };
+        let rescued = contact != Contact::None && self.settings.rescue;
+        let backed_m = if rescued { self.back_off(advanced_m) } else { 0.0 };
         let clearance_m = self.clearance_m(advanced_m - backed_m);
         Way { contact, advanced_m, backed_m, clearance_m }
     }
@@ -81,7 +97,7 @@ impl Course<'_> {
     /// Backs off along the heading until the shell is clear, and at least the least way. Stops
     /// before it would touch something behind, or become unclear again, or exceed the greatest way.
     fn back_off(&self, advanced_m: f64) -> f64 {
-        let B21Settings { clear_to_m, back_min_m, back_max_m, touch_m, .. } = *self.settings;
+        let SimulationSettings { clear_to_m, back_min_m, back_max_m, touch_m, .. } = *self.settings;
         let mut clearance_m = self.clearance_m(advanced_m);
         let mut backed_m = 0.0;
         for increment in 1..=self.increments(back_max_m) {
@@ -108,10 +124,10 @@ impl Course<'_> {
         f64::from(increments) * self.settings.increment_m
     }
 
-    /// Clearance of the shell after a way along the heading, metres.
+    /// Clearance of the body after a way along the heading, metres.
     fn clearance_m(&self, way_m: f64) -> f64 {
         let position = self.start + self.direction * way_m;
-        self.world.surface_distance_m(position) - self.settings.radius_m
+        self.body.clearance_m(self.world, position, self.direction)
     }
 }
 
@@ -121,6 +137,7 @@ mod tests {
 
     use super::*;
     use crate::geometry::unit;
+    use crate::robot::examples::{b21, trc};
     use crate::world::examples::{all_files, room_file, world};
 
     /// The same motion with the clearance computed after every increment.
@@ -142,40 +159,43 @@ mod tests {
     proptest! {
         #[test]
         fn looking_only_where_it_matters_changes_no_bit(
-            world_index in 0..3usize, x in -1.2..5.3f64, y in -3.2..2.2f64,
-            heading_rad in -3.2..3.2f64, threshold_pct in 50.0..90.0f64, advance_m in 0.05..0.6f64,
+            world_index in 0..3usize, robot_index in 0..2usize,
+            x in -1.2..5.3f64, y in -3.2..2.2f64, heading_rad in -3.2..3.2f64, threshold_pct in 50.0..90.0f64, advance_m in 0.05..0.6f64,
         ) {
             let world = world(&all_files()[world_index]);
-            let settings = B21Settings {
+            let settings = SimulationSettings {
                 infrared_threshold_pct: threshold_pct, advance_m, ..Default::default()
             };
             let start = Vec2::new(x, y);
-            let start_clearance_m = world.clearance_m(start) - settings.radius_m;
-            prop_assume!(start_clearance_m > 0.0);
             let direction = unit(heading_rad);
+            let body = [b21(), trc()][robot_index].body();
+            let start_clearance_m = body.clearance_m(&world, start, direction);
+            prop_assume!(world.clearance_m(start) > 0.0 && start_clearance_m > 0.0);
+            let settings = &settings;
             let course =
-                Course { world: &world, settings: &settings, start, direction, start_clearance_m };
+                Course { world: &world, body, settings, start, direction, start_clearance_m };
             prop_assert_eq!(course.advance(), looking_every_time(&course));
         }
     }
 
     /// Drives east in a room of the given width from `x`, and tells what happened:
     /// contact, way advanced, way backed off, clearance at the end.
-    fn east(width_m: f64, x: f64, settings: &B21Settings) -> (Contact, [f64; 3]) {
+    fn east(width_m: f64, x: f64, settings: &SimulationSettings) -> (Contact, [f64; 3]) {
         let world = world(&room_file(width_m, 4.0));
         let start = Vec2::new(x, 0.0);
-        let start_clearance_m = world.clearance_m(start) - settings.radius_m;
-        let direction = Vec2::x();
-        let way = Course { world: &world, settings, start, direction, start_clearance_m }.travel();
+        let (body, direction) = (b21().body(), Vec2::x());
+        let start_clearance_m = body.clearance_m(&world, start, direction);
+        let course = Course { world: &world, body, settings, start, direction, start_clearance_m };
+        let way = course.travel(Contact::None);
         (way.contact, [way.advanced_m, way.backed_m, way.clearance_m])
     }
 
     #[test]
     fn a_collision_and_its_rescue_are_as_specified() {
-        let normal = B21Settings::default();
-        let dark = B21Settings { infrared_reflectance: 0.5, ..normal.clone() };
-        let long = B21Settings { back_min_m: 0.3, ..normal.clone() };
-        let short = B21Settings { back_min_m: 0.0, back_max_m: 0.03, ..normal.clone() };
+        let normal = SimulationSettings::default();
+        let dark = SimulationSettings { infrared_reflectance: 0.5, ..normal.clone() };
+        let long = SimulationSettings { back_min_m: 0.3, ..normal.clone() };
+        let short = SimulationSettings { back_min_m: 0.0, back_max_m: 0.03, ..normal.clone() };
         // The shell touches the east wall at half the width less 0.265 m.
         for (case, width_m, x, settings, contact, expected) in [
             ("free way", 4.0, 0.0, &normal, Contact::None, [0.2, 0.0, 1.535]),

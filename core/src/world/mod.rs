@@ -20,7 +20,7 @@ pub use check::{EXTENT_LIMIT_M, REGION_LIMIT, WALL_LIMIT};
 pub use error::WorldError;
 pub use file::{Axis, GoalFile, HomeFile, RegionFile, RuleFile, WorldFile};
 pub use region::{HalfPlane, Region};
-pub use scan::RayRing;
+pub use scan::{RayFan, RayRing};
 pub use segments::{Hit, Segment};
 
 use crate::geometry::{Pose, Vec2};

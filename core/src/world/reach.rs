@@ -66,7 +66,7 @@ impl Floor {
             for cell in columns.map(|column| row * self.columns + column) {
                 // Home was found free to the last bit; rounding in the grid must not close it.
                 let open = !self.closed[cell] && cell != self.home;
-                if open && distance_m(self.centre(cell), wall) < radius_m {
+                if open && wall.distance_m(self.centre(cell)) < radius_m {
                     self.closed[cell] = true;
                 }
             }
@@ -120,10 +120,4 @@ fn reach_along_row(low: Vec2, high: Vec2, from_m: f64, to_m: f64) -> (f64, f64) 
     let x_at = |y: f64| low.x + (high.x - low.x) * ((y - low.y) / rise_m).clamp(0.0, 1.0);
     let (first, last) = (x_at(from_m), x_at(to_m));
     (first.min(last), first.max(last))
-}
-
-fn distance_m(point: Vec2, wall: &Segment) -> f64 {
-    let edge = wall.b - wall.a;
-    let along = ((point - wall.a).dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0);
-    (point - wall.a - edge * along).norm()
 }

@@ -5,6 +5,7 @@
 //! direction φ + δ stays, seen from the centre, between φ and φ + δ; so a wall that spans an
 //! angle as seen from the centre can be met only by the fans that overlap this angle, and only
 //! those are tried. Which fans are tried is decided with a margin and can never change a reading.
+//! Fans that are not spread evenly round a circle are few, and all of them are tried.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -20,8 +21,19 @@ const LANES: usize = 6;
 /// [`rough_angle`].
 const MARGIN_RAD: f64 = 0.01;
 
-/// Fans of rays spread evenly round a circular body, each leaving the shell at angle
-/// `2π·i / fans` from the heading, counter-clockwise.
+/// Slack on the places and axes of fans that count as spread evenly, metres and radians.
+const EVEN: f64 = 1e-9;
+
+/// Where a fan of rays leaves the body and where its middle ray goes, robot frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RayFan {
+    /// Place, metres.
+    pub place: Vec2,
+    /// Direction of the middle ray from the heading, radians.
+    pub axis_rad: f64,
+}
+
+/// Fans of rays round a body.
 #[derive(Clone, Debug)]
 pub struct RayRing {
     fans: Vec<Fan>,
@@ -29,6 +41,9 @@ pub struct RayRing {
     groups: Vec<RayGroup>,
     /// Scratch: the nearest echo of each ray so far.
     echoes: Vec<Echoes>,
+    /// Fan `i` leaves a circle at angle `2π·i / fans`, straight outwards.
+    even: bool,
+    /// Greatest distance of a fan from the centre.
     radius_m: f64,
     range_m: f64,
     half_cone_rad: f64,
@@ -60,39 +75,39 @@ struct Echoes {
 }
 
 impl RayRing {
-    /// A ring of `fans` fans of `rays` rays on a shell of `radius_m`, each fan `cone_rad` wide and
-    /// its outer rays on the cone's edge. A ray returns no echo when it meets the nearest surface
-    /// at an incidence greater than `critical_rad`; `π/2` loses none.
+    /// A ring of fans of `rays` rays, each fan `cone_rad` wide and its outer rays on the cone's edge.
+    /// A ray returns no echo when it meets the nearest surface at an incidence greater than
+    /// `critical_rad`; `π/2` loses none.
     #[must_use]
     pub fn new(
-        fans: usize,
+        fans: &[RayFan],
         rays: usize,
         cone_rad: f64,
-        radius_m: f64,
         range_m: f64,
         critical_rad: f64,
     ) -> Self {
         let offsets = offsets_rad(rays.max(1), cone_rad);
-        let angle = |fan: usize| TAU * fan as f64 / fans as f64;
-        let groups: Vec<RayGroup> = (0..fans)
+        let groups: Vec<RayGroup> = fans
+            .iter()
             .flat_map(|fan| {
-                offsets.chunks(LANES).map(move |chunk| RayGroup::new(angle(fan), chunk))
+                offsets.chunks(LANES).map(move |chunk| RayGroup::new(fan.axis_rad, chunk))
             })
             .collect();
         Self {
-            fans: (0..fans).map(|fan| Fan::new(unit(angle(fan)) * radius_m)).collect(),
+            fans: fans.iter().map(|fan| Fan::new(fan.place)).collect(),
             groups_per_fan: offsets.len().div_ceil(LANES),
             echoes: vec![Echoes::nothing(range_m); groups.len()],
             groups,
-            radius_m,
+            even: is_even(fans),
+            radius_m: fans.iter().map(|fan| fan.place.norm()).fold(0.0, f64::max),
             range_m,
             half_cone_rad: 0.5 * cone_rad,
             least_cosine: if critical_rad < FRAC_PI_2 { libm::cos(critical_rad) } else { 0.0 },
         }
     }
 
-    /// Distance from the shell to the nearest echo in each fan, metres, the range where there is
-    /// none. The body stands at `position` and `direction` is the unit vector of its heading.
+    /// Distance to the nearest echo in each fan from its place, metres, the range where there is none.
+    /// The body stands at `position` and `direction` is the unit vector of its heading.
     pub fn scan(&mut self, world: &World, position: Vec2, direction: Vec2, readings_m: &mut [f64]) {
         self.echoes.fill(Echoes::nothing(self.range_m));
         let reach_m = self.range_m + self.radius_m;
@@ -100,7 +115,8 @@ impl RayRing {
             let a = into_frame(wall.a - position, direction);
             let b = into_frame(wall.b - position, direction);
             if (a + b).norm_squared() <= square(2.0 * reach_m + (b - a).abs().sum()) {
-                self.meet(Segment { a, b });
+                let wall = Segment { a, b };
+                if self.even { self.meet(wall) } else { self.meet_all(wall) }
             }
         }
         self.read(readings_m);
@@ -128,6 +144,10 @@ impl RayRing {
             self.try_fan(fan, wall);
             fan = if fan + 1 == fans { 0 } else { fan + 1 };
         }
+    }
+
+    fn meet_all(&mut self, wall: Segment) {
+        (0..self.fans.len()).for_each(|fan| self.try_fan(fan, wall));
     }
 
     fn try_fan(&mut self, fan: usize, wall: Segment) {
@@ -210,6 +230,16 @@ impl RayGroup {
     }
 }
 
+/// Whether fans are spread evenly round a circle, the first along the heading.
+fn is_even(fans: &[RayFan]) -> bool {
+    let radius_m = fans.first().map_or(0.0, |fan| fan.place.norm());
+    fans.iter().enumerate().all(|(index, fan)| {
+        let axis_rad = TAU * index as f64 / fans.len() as f64;
+        let off_m = (fan.place - unit(axis_rad) * radius_m).norm();
+        (fan.axis_rad - axis_rad).abs() < EVEN && off_m < EVEN
+    })
+}
+
 /// Angles of the rays of a fan from its middle, radians, spread evenly over the cone.
 fn offsets_rad(rays: usize, cone_rad: f64) -> Vec<f64> {
     if rays == 1 {
@@ -276,13 +306,22 @@ mod tests {
 
     const FANS: usize = 24;
 
+    /// Fans spread evenly round the B21.
+    fn even() -> Vec<RayFan> {
+        let fan = |index: usize| {
+            let axis_rad = TAU * index as f64 / FANS as f64;
+            RayFan { place: unit(axis_rad) * 0.265, axis_rad }
+        };
+        (0..FANS).map(fan).collect()
+    }
+
     /// Readings with every fan tried against every wall.
     fn tried_all(ring: &mut RayRing, world: &World, at: Vec2, direction: Vec2) -> [f64; FANS] {
         let mut readings = [0.0; FANS];
         ring.echoes.fill(Echoes::nothing(ring.range_m));
         for wall in world.walls() {
             let (a, b) = (into_frame(wall.a - at, direction), into_frame(wall.b - at, direction));
-            (0..FANS).for_each(|fan| ring.try_fan(fan, Segment { a, b }));
+            ring.meet_all(Segment { a, b });
         }
         ring.read(&mut readings);
         readings
@@ -315,7 +354,7 @@ mod tests {
             let world = world(&all_files()[world_index]);
             let (at, direction) = (Vec2::new(x, y), unit(heading_rad));
             prop_assume!(world.clearance_m(at) > 0.265);
-            let mut ring = RayRing::new(FANS, rays, cone_rad, 0.265, range_m, FRAC_PI_2);
+            let mut ring = RayRing::new(&even(), rays, cone_rad, range_m, FRAC_PI_2);
             let mut readings = [0.0; FANS];
             ring.scan(&world, at, direction, &mut readings);
             prop_assert_eq!(readings, tried_all(&mut ring, &world, at, direction));
@@ -324,12 +363,15 @@ mod tests {
         #[test]
         fn a_ring_reads_what_its_single_rays_meet(
             x in -1.2..5.3f64, y in -3.2..2.2f64, heading_rad in -3.2..3.2f64,
-            critical_rad in 0.3..1.6f64,
+            critical_rad in 0.3..1.6f64, shift_m in 0.0..0.1f64,
         ) {
             let world = world(&all_files()[2]);
             let (at, direction) = (Vec2::new(x, y), unit(heading_rad));
-            prop_assume!(world.clearance_m(at) > 0.265);
-            let mut ring = RayRing::new(FANS, 5, 0.26, 0.265, 4.0, critical_rad);
+            prop_assume!(world.clearance_m(at) > 0.365);
+            // With a shift the fans lie anyhow, as those of a body that is not round do.
+            let mut fans = even();
+            fans.iter_mut().step_by(3).for_each(|fan| fan.place.y += shift_m);
+            let mut ring = RayRing::new(&fans, 5, 0.26, 4.0, critical_rad);
             let mut readings = [0.0; FANS];
             ring.scan(&world, at, direction, &mut readings);
             let expected = cast_singly(&ring, &world, at, direction);
@@ -342,7 +384,7 @@ mod tests {
     #[test]
     fn readings_in_a_square_room_are_those_of_trigonometry() {
         let room = world(&room_file(4.0, 4.0));
-        let mut ring = RayRing::new(FANS, 5, 15.0_f64.to_radians(), 0.265, 8.0, FRAC_PI_2);
+        let mut ring = RayRing::new(&even(), 5, 15.0_f64.to_radians(), 8.0, FRAC_PI_2);
         let mut readings = [0.0; FANS];
         ring.scan(&room, Vec2::zeros(), Vec2::x(), &mut readings);
         let to_wall = |sonar_deg: f64, ray_deg: f64| {
@@ -361,7 +403,7 @@ mod tests {
     #[test]
     fn nothing_within_range_reads_the_range() {
         let room = world(&room_file(40.0, 40.0));
-        let mut ring = RayRing::new(FANS, 5, 0.26, 0.265, 8.0, FRAC_PI_2);
+        let mut ring = RayRing::new(&even(), 5, 0.26, 8.0, FRAC_PI_2);
         let mut readings = [0.0; FANS];
         ring.scan(&room, Vec2::zeros(), Vec2::x(), &mut readings);
         assert_eq!(readings, [8.0; FANS]);

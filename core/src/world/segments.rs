@@ -19,6 +19,16 @@ pub struct Segment {
     pub b: Vec2,
 }
 
+impl Segment {
+    /// Distance from a point, metres.
+    #[must_use]
+    pub fn distance_m(&self, point: Vec2) -> f64 {
+        let edge = self.b - self.a;
+        let along = ((point - self.a).dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0);
+        (point - self.a - edge * along).norm()
+    }
+}
+
 /// What a ray met.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {

@@ -60,11 +60,12 @@ pub(super) async fn picture(
     Path(name): Path<String>,
     Query(query): Query<PictureQuery>,
 ) -> Result<Response, Failure> {
-    find(&app, &name)?;
+    let experiment = find(&app, &name)?;
+    let default = experiment.worlds.first().map_or(DEFAULT_WORLD, |world| world.name.as_str());
     let size = Size::new(query.width.unwrap_or(480), query.height.unwrap_or(320))?;
     let worlds = app.lab.catalog().worlds();
     let world = worlds
-        .get(query.world.as_deref().unwrap_or(DEFAULT_WORLD))
+        .get(query.world.as_deref().unwrap_or(default))
         .map_err(|error| Failure::not_acceptable("world", error.message))?;
     let names: Vec<String> =
         world.world.regions().iter().map(|region| region.name.clone()).collect();

@@ -11,6 +11,7 @@ mod openapi;
 mod problem;
 mod reproductions;
 mod sessions;
+mod starts;
 mod status;
 mod stream;
 mod ticks;

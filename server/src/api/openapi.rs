@@ -6,7 +6,9 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 use utoipa_swagger_ui::SwaggerUi;
 
-use super::{App, arena, controls, experiments, files, reproductions, sessions, stream, ticks};
+use super::{
+    App, arena, controls, experiments, files, reproductions, sessions, starts, stream, ticks,
+};
 
 #[derive(OpenApi)]
 #[openapi(
@@ -45,6 +47,8 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(ticks::neurons))
         .routes(routes!(ticks::neuron))
         .routes(routes!(arena::picture))
+        .routes(routes!(starts::list))
+        .routes(routes!(starts::picture))
         .routes(routes!(files::log))
         .routes(routes!(files::session))
         .routes(routes!(files::trial))

@@ -1,23 +1,25 @@
-//! What can be run: experiments, presets and worlds, and how a request becomes full settings.
+//! What can be run: experiments, robots, presets and worlds, and how a request becomes full settings.
 
+mod experiments;
 mod plan;
 mod presets;
+mod robots;
+mod starts;
 mod values;
 mod worlds;
 
+pub use experiments::Experiment;
 pub use plan::{FieldError, Plan, speed as check_speed};
 pub use presets::Preset;
+pub use starts::starts_from_text;
 pub use values::{flatten, from_text};
 pub use worlds::{DEFAULT_WORLD, NamedWorld, Worlds};
 
 use std::path::Path;
 
-use sonarium_core::experiment::Settings;
-use sonarium_core::settings::{Kind, Spec};
+use crate::wire::ExperimentInfo;
 
-use crate::wire::{Choice, ExperimentInfo, SettingInfo};
-
-/// The one experiment there is so far.
+/// Chapter 5 on the B21.
 pub const MINIMUM_COST_PATH: &str = "minimum-cost-path";
 /// Most trials a session may have.
 pub const MAX_TRIALS: u32 = 100_000;
@@ -27,9 +29,9 @@ pub const DEFAULT_TRIALS: u32 = 20;
 /// Everything that can be run.
 #[derive(Debug)]
 pub struct Catalog {
-    presets: Vec<Preset>,
     worlds: Worlds,
-    experiments: Vec<ExperimentInfo>,
+    experiments: Vec<Experiment>,
+    infos: Vec<ExperimentInfo>,
 }
 
 /// The files that came with the program are broken.
@@ -48,22 +50,23 @@ impl Catalog {
     /// # Errors
     /// When an embedded file is broken. A broken world of the user's is kept and refused when chosen.
     pub fn load(own_worlds: Option<&Path>) -> Result<Self, CatalogError> {
-        let presets = presets::embedded()?;
         let worlds = Worlds::load(own_worlds)?;
-        let experiments = vec![minimum_cost_path(&presets, &worlds)];
-        Ok(Self { presets, worlds, experiments })
+        let experiments =
+            experiments::embedded(&robots::embedded()?, &worlds, presets::embedded()?)?;
+        let infos = experiments.iter().map(|experiment| experiment.info(&worlds)).collect();
+        Ok(Self { worlds, experiments, infos })
     }
 
     /// All experiments.
     #[must_use]
     pub fn experiments(&self) -> &[ExperimentInfo] {
-        &self.experiments
+        &self.infos
     }
 
-    /// An experiment by name.
+    /// An experiment by name, as a user sees it.
     #[must_use]
     pub fn experiment(&self, name: &str) -> Option<&ExperimentInfo> {
-        self.experiments.iter().find(|experiment| experiment.name == name)
+        self.infos.iter().find(|experiment| experiment.name == name)
     }
 
     /// All worlds.
@@ -71,55 +74,4 @@ impl Catalog {
     pub fn worlds(&self) -> &Worlds {
         &self.worlds
     }
-
-    /// All presets; the first is the default.
-    #[must_use]
-    pub fn presets(&self) -> &[Preset] {
-        &self.presets
-    }
-}
-
-fn minimum_cost_path(presets: &[Preset], worlds: &Worlds) -> ExperimentInfo {
-    let defaults = Settings::default();
-    ExperimentInfo {
-        name: MINIMUM_COST_PATH.into(),
-        title: "Minimum-cost path".into(),
-        summary: "A robot with 24 sonars learns the way from its home to a goal out of sight, \
-                  safe and short, from reinforcement alone"
-            .into(),
-        source: "Chapter 5".into(),
-        default_trials: DEFAULT_TRIALS,
-        max_trials: MAX_TRIALS,
-        presets: presets.iter().map(Preset::info).collect(),
-        worlds: worlds.infos(),
-        settings: Settings::specs().iter().map(|spec| setting(spec, &defaults)).collect(),
-    }
-}
-
-fn setting(spec: &Spec, defaults: &Settings) -> SettingInfo {
-    let (kind, min, max, choices) = match spec.kind {
-        Kind::Switch => ("switch", None, None, Vec::new()),
-        #[expect(clippy::cast_precision_loss, reason = "bounds are far below 2^53")]
-        Kind::Integer(least, most) => {
-            ("integer", Some(least as f64), Some(most as f64), Vec::new())
-        }
-        Kind::Number(least, most) => ("number", Some(least), Some(most), Vec::new()),
-        Kind::Choice(names) => ("choice", None, None, names.iter().map(choice).collect()),
-    };
-    SettingInfo {
-        key: spec.key.into(),
-        meaning: spec.meaning.into(),
-        kind: kind.into(),
-        unit: spec.unit.into(),
-        default: values::to_json(defaults.get(spec.key).as_ref()),
-        min,
-        max,
-        choices,
-        source: spec.source.into(),
-        standing: spec.standing.name().into(),
-    }
-}
-
-fn choice((value, meaning): &(&str, &str)) -> Choice {
-    Choice { value: (*value).into(), meaning: (*meaning).into() }
 }

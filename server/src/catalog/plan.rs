@@ -1,17 +1,19 @@
 //! From a request to everything a run needs, or to a refusal that names the field.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use serde_json::Value as Json;
 use sonarium_core::experiment::Settings;
+use sonarium_core::robot::Robot;
 use sonarium_core::settings::{SettingError, Spec};
 
-use super::worlds::{DEFAULT_WORLD, NamedWorld};
-use super::{Catalog, DEFAULT_TRIALS, MAX_TRIALS, presets, values, worlds};
+use super::worlds::NamedWorld;
+use super::{Catalog, Experiment, MAX_TRIALS, presets, values, worlds};
 use crate::clock;
 use crate::session::Names;
 use crate::store::SessionRow;
-use crate::wire::{NewSession, Speed};
+use crate::wire::{NewSession, Speed, StartView};
 
 /// Greatest seed: every whole number up to it survives JSON in every language.
 const MAX_SEED: u64 = (1 << 53) - 1;
@@ -27,6 +29,8 @@ pub struct Plan {
     pub experiment: String,
     /// Preset the settings started from.
     pub preset: String,
+    /// The robot.
+    pub robot: Arc<Robot>,
     /// The world.
     pub world: NamedWorld,
     /// The settings.
@@ -35,6 +39,8 @@ pub struct Plan {
     pub values: BTreeMap<String, Json>,
     /// Keys whose value is not the default's.
     pub changed: Vec<String>,
+    /// Altered starts to try the trained networks from.
+    pub starts: Vec<StartView>,
     /// Seed.
     pub seed: u64,
     /// Trials.
@@ -66,9 +72,10 @@ impl Catalog {
     /// # Errors
     /// The first field that is unknown, of the wrong type or out of range.
     pub fn resolve(&self, request: &NewSession) -> Result<Plan, FieldError> {
-        self.check_experiment(&request.experiment)?;
-        let name = name_in(&request.settings, "world")?.unwrap_or(DEFAULT_WORLD);
-        self.resolve_in(self.worlds().get(name)?.clone(), request)
+        let experiment = self.find(&request.experiment)?;
+        let name = name_in(&request.settings, "world")?.unwrap_or(&experiment.world);
+        let world = self.worlds().fitting(name, &experiment.robot)?;
+        resolve_in(experiment, world, request)
     }
 
     /// The plan of a stored session, in the world as it was when the session was created.
@@ -76,10 +83,12 @@ impl Catalog {
     /// # Errors
     /// When this program no longer knows its experiment, its world or one of its settings.
     pub fn restore(&self, row: &SessionRow) -> Result<Plan, FieldError> {
-        self.check_experiment(&row.experiment)?;
+        let experiment = self.find(&row.experiment)?;
         let world = worlds::read(&row.world, row.world_text.clone())
-            .map_err(|why| FieldError::new("settings.world", why))?;
-        self.resolve_in(
+            .map_err(|why| FieldError::new("settings.world", why))?
+            .fitting(&experiment.robot)?;
+        resolve_in(
+            experiment,
             world,
             &NewSession {
                 experiment: row.experiment.clone(),
@@ -91,53 +100,51 @@ impl Catalog {
         )
     }
 
-    fn resolve_in(&self, world: NamedWorld, request: &NewSession) -> Result<Plan, FieldError> {
-        let preset = name_in(&request.settings, "preset")?.unwrap_or(presets::DEFAULT);
-        let mut settings = Settings::default();
-        for (key, value) in self.preset_settings(preset)?.iter().chain(&request.settings) {
-            if !matches!(key.as_str(), "preset" | "world") {
-                assign(&mut settings, key, value)?;
-            }
-        }
-        let (mut values, mut changed) = differences(&settings);
-        for (key, name, default) in
-            [("world", world.name.as_str(), DEFAULT_WORLD), ("preset", preset, presets::DEFAULT)]
-        {
-            values.insert(key.into(), name.into());
-            if name != default {
-                changed.insert(0, key.into());
-            }
-        }
-        Ok(Plan {
-            experiment: request.experiment.clone(),
-            preset: preset.to_owned(),
-            world,
-            settings,
-            values,
-            changed,
-            seed: seed(request.seed)?,
-            trials: trials(request.trials)?,
-            speed: speed(request.speed.unwrap_or(DEFAULT_SPEED))?,
+    fn find(&self, name: &str) -> Result<&Experiment, FieldError> {
+        let found = self.experiments.iter().find(|experiment| experiment.name == name);
+        found.ok_or_else(|| {
+            let names: Vec<&str> = self.experiments.iter().map(|e| e.name.as_str()).collect();
+            let message = format!("there is no experiment `{name}`; there are {}", listed(&names));
+            FieldError::new("experiment", message)
         })
     }
+}
 
-    fn check_experiment(&self, name: &str) -> Result<(), FieldError> {
-        if self.experiment(name).is_some() {
-            return Ok(());
+fn resolve_in(
+    experiment: &Experiment,
+    world: NamedWorld,
+    request: &NewSession,
+) -> Result<Plan, FieldError> {
+    let preset = name_in(&request.settings, "preset")?.unwrap_or(presets::DEFAULT);
+    let mut settings = experiment.defaults.clone();
+    for (key, value) in experiment.preset(preset)?.iter().chain(&request.settings) {
+        if !matches!(key.as_str(), "preset" | "world") {
+            assign(&mut settings, key, value)?;
         }
-        let names: Vec<&str> = self.experiments().iter().map(|e| e.name.as_str()).collect();
-        let message = format!("there is no experiment `{name}`; there is {}", listed(&names));
-        Err(FieldError::new("experiment", message))
     }
-
-    fn preset_settings(&self, name: &str) -> Result<&BTreeMap<String, Json>, FieldError> {
-        let found = self.presets().iter().find(|preset| preset.name == name);
-        found.map(|preset| &preset.settings).ok_or_else(|| {
-            let names: Vec<&str> = self.presets().iter().map(|p| p.name.as_str()).collect();
-            let message = format!("there is no preset `{name}`; there are {}", listed(&names));
-            FieldError::new("settings.preset", message)
-        })
+    let (mut values, mut changed) = differences(&settings, &experiment.defaults);
+    for (key, name, default) in [
+        ("world", world.name.as_str(), experiment.world.as_str()),
+        ("preset", preset, presets::DEFAULT),
+    ] {
+        values.insert(key.into(), name.into());
+        if name != default {
+            changed.insert(0, key.into());
+        }
     }
+    Ok(Plan {
+        experiment: experiment.name.clone(),
+        preset: preset.to_owned(),
+        robot: Arc::clone(&experiment.robot),
+        starts: experiment.starts_in(&world.name).to_vec(),
+        world,
+        settings,
+        values,
+        changed,
+        seed: seed(request.seed)?,
+        trials: trials(request.trials.unwrap_or(experiment.trials))?,
+        speed: speed(request.speed.unwrap_or(DEFAULT_SPEED))?,
+    })
 }
 
 impl Plan {
@@ -184,8 +191,8 @@ fn seed(seed: Option<u64>) -> Result<u64, FieldError> {
     }
 }
 
-fn trials(trials: Option<u32>) -> Result<u32, FieldError> {
-    match trials.unwrap_or(DEFAULT_TRIALS) {
+fn trials(trials: u32) -> Result<u32, FieldError> {
+    match trials {
         fine @ 1..=MAX_TRIALS => Ok(fine),
         wrong => {
             let message = format!("{wrong} is out of range; a whole number from 1 to {MAX_TRIALS}");
@@ -207,7 +214,7 @@ fn name_in<'a>(
     }
 }
 
-fn assign(settings: &mut Settings, key: &str, json: &Json) -> Result<(), FieldError> {
+pub(super) fn assign(settings: &mut Settings, key: &str, json: &Json) -> Result<(), FieldError> {
     let field = || format!("settings.{key}");
     let Some(value) = values::from_json(json) else {
         let expected = spec(key).map_or("a number, a switch or a name".into(), Spec::expected);
@@ -226,8 +233,7 @@ fn spec(key: &str) -> Option<&'static Spec> {
 }
 
 /// All values, and the keys of those that are not the default.
-fn differences(settings: &Settings) -> (BTreeMap<String, Json>, Vec<String>) {
-    let defaults = Settings::default();
+fn differences(settings: &Settings, defaults: &Settings) -> (BTreeMap<String, Json>, Vec<String>) {
     let mut values = BTreeMap::new();
     let mut changed = Vec::new();
     for spec in Settings::specs() {
@@ -240,6 +246,6 @@ fn differences(settings: &Settings) -> (BTreeMap<String, Json>, Vec<String>) {
     (values, changed)
 }
 
-fn listed(names: &[&str]) -> String {
+pub(super) fn listed(names: &[&str]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }

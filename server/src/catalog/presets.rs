@@ -1,4 +1,4 @@
-//! Named sets of settings, from `assets/presets`.
+//! Named sets of settings, from `assets/presets`: one folder an experiment.
 
 use std::collections::BTreeMap;
 
@@ -49,23 +49,32 @@ impl Preset {
     }
 }
 
-/// The presets in the program, the default first.
-pub(super) fn embedded() -> Result<Vec<Preset>, CatalogError> {
-    let mut presets: Vec<Preset> =
-        Files::iter().map(|file| read(&file)).collect::<Result<_, CatalogError>>()?;
-    presets.sort_by_key(|preset| (preset.name != DEFAULT, preset.name.clone()));
+/// The presets in the program by their experiment, the default first.
+pub(super) fn embedded() -> Result<BTreeMap<String, Vec<Preset>>, CatalogError> {
+    let mut presets: BTreeMap<String, Vec<Preset>> = BTreeMap::new();
+    for file in Files::iter() {
+        let (experiment, preset) = read(&file)?;
+        presets.entry(experiment).or_default().push(preset);
+    }
+    for presets in presets.values_mut() {
+        presets.sort_by_key(|preset| (preset.name != DEFAULT, preset.name.clone()));
+    }
     Ok(presets)
 }
 
-fn read(file: &str) -> Result<Preset, CatalogError> {
+fn read(file: &str) -> Result<(String, Preset), CatalogError> {
     let broken = |message: String| CatalogError { file: format!("presets/{file}"), message };
+    let (experiment, name) = file
+        .split_once('/')
+        .ok_or_else(|| broken("must lie in a folder named after its experiment".into()))?;
     let embedded = Files::get(file).ok_or_else(|| broken("is missing".into()))?;
     let text = std::str::from_utf8(&embedded.data).map_err(|error| broken(error.to_string()))?;
     let preset: PresetFile = toml::from_str(text).map_err(|error| broken(error.to_string()))?;
-    Ok(Preset {
-        name: file.trim_end_matches(".toml").to_owned(),
+    let preset = Preset {
+        name: name.trim_end_matches(".toml").to_owned(),
         title: preset.title,
         summary: preset.summary,
         settings: values::flatten(preset.settings),
-    })
+    };
+    Ok((experiment.to_owned(), preset))
 }

@@ -57,19 +57,23 @@ pub fn flatten(table: toml::Table) -> BTreeMap<String, Json> {
 fn flatten_into(settings: &mut BTreeMap<String, Json>, prefix: &str, table: toml::Table) {
     for (name, value) in table {
         let key = if prefix.is_empty() { name } else { format!("{prefix}.{name}") };
-        let json = match value {
-            toml::Value::Table(inner) => {
-                flatten_into(settings, &key, inner);
-                continue;
+        match value {
+            toml::Value::Table(inner) => flatten_into(settings, &key, inner),
+            value => {
+                settings.insert(key, from_toml(value));
             }
-            toml::Value::Boolean(on) => Json::from(on),
-            toml::Value::Integer(whole) => Json::from(whole),
-            toml::Value::Float(number) => Json::from(number),
-            toml::Value::String(name) => Json::from(name),
-            // No setting is a list or a date; as null it is refused with the key's name.
-            toml::Value::Array(_) | toml::Value::Datetime(_) => Json::Null,
-        };
-        settings.insert(key, json);
+        }
+    }
+}
+
+/// TOML as JSON. No setting is a list, a table or a date; as null it is refused with the key's name.
+pub(super) fn from_toml(value: toml::Value) -> Json {
+    match value {
+        toml::Value::Boolean(on) => Json::from(on),
+        toml::Value::Integer(whole) => Json::from(whole),
+        toml::Value::Float(number) => Json::from(number),
+        toml::Value::String(name) => Json::from(name),
+        toml::Value::Array(_) | toml::Value::Table(_) | toml::Value::Datetime(_) => Json::Null,
     }
 }
 

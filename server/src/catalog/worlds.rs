@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use rust_embed::Embed;
-use sonarium_core::robot::B21Settings;
+use sonarium_core::robot::Robot;
 use sonarium_core::world::{World, WorldFile};
 
 use super::{CatalogError, FieldError};
@@ -15,6 +15,9 @@ use crate::wire::WorldInfo;
 
 /// The world a session runs in unless told otherwise.
 pub const DEFAULT_WORLD: &str = "laboratory";
+
+/// Radius of the B21, metres: every world has room for at least that robot.
+const RADIUS_M: f64 = 0.265;
 
 #[derive(Embed)]
 #[folder = "$CARGO_MANIFEST_DIR/../assets/worlds"]
@@ -76,20 +79,52 @@ impl Worlds {
         }
     }
 
-    /// The usable worlds, the default first.
+    /// A world by name, checked for a robot.
+    ///
+    /// # Errors
+    /// When there is none, it is broken, or the robot does not fit; the field is `settings.world`.
+    pub fn fitting(&self, name: &str, robot: &Robot) -> Result<NamedWorld, FieldError> {
+        self.get(name)?.fitting(robot)
+    }
+
+    /// The worlds that a robot fits into, the default first.
     #[must_use]
-    pub fn infos(&self) -> Vec<WorldInfo> {
-        let mut infos: Vec<WorldInfo> = self.0.values().flatten().map(info).collect();
-        infos.sort_by_key(|info| info.name != DEFAULT_WORLD);
+    pub fn infos(&self, default: &str, robot: &Robot) -> Vec<WorldInfo> {
+        let usable = self.0.values().flatten();
+        let mut infos: Vec<WorldInfo> =
+            usable.filter(|world| world.fitting(robot).is_ok()).map(info).collect();
+        infos.sort_by_key(|info| info.name != default);
         infos
     }
 }
 
-/// Reads and checks a world.
+impl NamedWorld {
+    /// The same world, checked for a robot.
+    ///
+    /// # Errors
+    /// When the robot does not fit; the field is `settings.world`.
+    pub(super) fn fitting(&self, robot: &Robot) -> Result<Self, FieldError> {
+        if robot.body().reach_m() <= RADIUS_M {
+            return Ok(self.clone());
+        }
+        read_for(&self.name, self.text.clone(), robot.body().reach_m()).map_err(|why| {
+            let title = robot.title();
+            let message = format!("the world `{}` does not fit the {title}: {why}", self.name);
+            FieldError::new("settings.world", message)
+        })
+    }
+}
+
+/// Reads and checks a world for the least robot there is.
 ///
 /// # Errors
 /// What is wrong with it: where, and what would be right.
 pub(super) fn read(name: &str, text: String) -> Result<NamedWorld, String> {
+    read_for(name, text, RADIUS_M)
+}
+
+/// Reads a world and checks it for a robot that needs this radius to turn on the spot.
+fn read_for(name: &str, text: String, radius_m: f64) -> Result<NamedWorld, String> {
     let file: WorldFile = toml::from_str(&text).map_err(|error| error.to_string())?;
     if file.name != name {
         return Err(format!(
@@ -97,7 +132,7 @@ pub(super) fn read(name: &str, text: String) -> Result<NamedWorld, String> {
             file.name
         ));
     }
-    let world = World::new(&file, robot_radius_m()).map_err(|error| error.to_string())?;
+    let world = World::new(&file, radius_m).map_err(|error| error.to_string())?;
     Ok(NamedWorld { name: name.to_owned(), text, world: Arc::new(world) })
 }
 
@@ -105,11 +140,6 @@ pub(super) fn read(name: &str, text: String) -> Result<NamedWorld, String> {
 #[must_use]
 pub(super) fn regions(world: &World) -> Vec<String> {
     world.regions().iter().map(|region| region.name.clone()).collect()
-}
-
-/// Radius of the robot that has to find its way, metres.
-fn robot_radius_m() -> f64 {
-    B21Settings::default().radius_m
 }
 
 fn info(world: &NamedWorld) -> WorldInfo {
@@ -154,7 +184,9 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         fs::write(folder.path().join("bad.toml"), "name = ").expect("written");
         let worlds = Worlds::load(Some(folder.path())).expect("the embedded ones are fine");
-        assert!(worlds.infos().iter().all(|info| info.name != "bad"));
+        let robots = super::super::robots::embedded().expect("the embedded ones are fine");
+        let infos = worlds.infos(DEFAULT_WORLD, &robots["b21"]);
+        assert!(!infos.is_empty() && infos.iter().all(|info| info.name != "bad"));
         let error = worlds.get("bad").expect_err("it is broken");
         assert_eq!(error.field, "settings.world");
         assert!(error.message.starts_with("the world `bad` cannot be used: "), "{error}");

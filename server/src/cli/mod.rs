@@ -36,7 +36,7 @@ enum Command {
     Serve(serve::Arguments),
     /// Run an experiment without a page
     Run(run::Arguments),
-    /// Compute a table of the thesis again and hold it against what is printed
+    /// Compute a table or figure of the thesis again and hold it against what is printed
     Reproduce(reproduce::Arguments),
     /// List the experiments with their settings
     Experiments(experiments::Arguments),

@@ -6,7 +6,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
 use super::Failure;
-use crate::wire::{RunResult, Trial};
+use crate::wire::{AlteredStartView, ExcursionView, RunResult, Trial};
 
 /// Writes one line.
 pub(super) fn line(text: &str) -> Result<(), Failure> {
@@ -49,7 +49,39 @@ pub(super) fn table(result: &RunResult) -> String {
     if let (Some(best), Some(trial)) = (summary.best_total_reinforcement, summary.best_trial) {
         text += &format!("; best total reinforcement {best:.2} in trial {trial}");
     }
-    text + &format!("; {} control steps, {} neurons", summary.steps, summary.neurons)
+    text += &format!("; {} control steps, {} neurons", summary.steps, summary.neurons);
+    text + &starts(&result.starts)
+}
+
+/// The altered starts as a table for people; nothing when there are none.
+fn starts(starts: &[AlteredStartView]) -> String {
+    if starts.is_empty() {
+        return String::new();
+    }
+    let mut text = "\naltered starts: the trained network alone | with the reflex where no neuron is active\n\
+                    start                          neuron active  goal         steps  silent (%) | goal         steps\n"
+        .to_owned();
+    for AlteredStartView { start, inside, alone, guided, .. } in starts {
+        text += &format!(
+            "{:<30} {:<14} {:<11} {:>6} {:>11.1} | {:<11} {:>6}\n",
+            start.name,
+            if *inside { "yes" } else { "no" },
+            ending(alone),
+            alone.steps,
+            alone.silent_pct,
+            ending(guided),
+            guided.steps,
+        );
+    }
+    text.trim_end().to_owned()
+}
+
+fn ending(excursion: &ExcursionView) -> &'static str {
+    match (excursion.reached_goal, excursion.collisions) {
+        (true, _) => "reached",
+        (false, 0) => "not reached",
+        (false, _) => "collided",
+    }
 }
 
 fn row(trial: &Trial) -> String {

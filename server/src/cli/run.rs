@@ -11,8 +11,8 @@ use serde_json::Value as Json;
 
 use super::{Failure, cores, default_data, output};
 use crate::batch;
-use crate::catalog::{Catalog, FieldError, Plan, flatten, from_text};
-use crate::session::Run;
+use crate::catalog::{Catalog, FieldError, Plan, flatten, from_text, starts_from_text};
+use crate::session::{Run, check_starts};
 use crate::wire::{NewSession, RunResult};
 
 mod recorded;
@@ -39,6 +39,10 @@ pub(super) struct Arguments {
     /// Trials, 1 to 100000
     #[arg(long)]
     trials: Option<u32>,
+    /// Pose to start the trained networks from afterwards, x and y in metres and heading in degrees, e.g.
+    /// --start 1,0.5,90; may be given again. When missing, those of the experiment, if it has any
+    #[arg(long, value_name = "X,Y,DEG", allow_hyphen_values = true)]
+    start: Vec<String>,
     /// Folder for logs and reports; `sonarium serve --data DIR` shows them
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -51,17 +55,24 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let own_worlds = arguments.out.clone().unwrap_or_else(default_data).join("worlds");
     let catalog = Catalog::load(Some(&own_worlds))?;
     let requests = requests(arguments)?;
-    let plans: Vec<Plan> = requests
+    let mut plans: Vec<Plan> = requests
         .iter()
         .map(|request| catalog.resolve(request))
         .collect::<Result<_, FieldError>>()?;
-    // The same settings fit or do not fit for every seed.
-    plans.first().map(Run::new).transpose()?;
+    if !arguments.start.is_empty() {
+        let starts = starts_from_text(&arguments.start.join(";"))?;
+        plans.iter_mut().for_each(|plan| plan.starts.clone_from(&starts));
+    }
+    // The same settings and starts fit or do not fit for every seed.
+    if let Some(plan) = plans.first() {
+        Run::new(plan)?;
+        check_starts(plan, &plan.starts)?;
+    }
     let trials = plans.iter().map(|plan| u64::from(plan.trials)).sum();
     let progress = output::progress(trials, "trials");
     let print = |result: RunResult| progress.suspend(|| print(&result, arguments.json));
     match &arguments.out {
-        Some(folder) => recorded::run(catalog, &requests, folder, &progress, print)?,
+        Some(folder) => recorded::run(catalog, &requests, &plans, folder, &progress, print)?,
         None => run_all(&plans, &progress, print)?,
     }
     progress.finish_and_clear();

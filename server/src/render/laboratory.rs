@@ -1,6 +1,6 @@
 //! A made-up but realistic view of the laboratory, for measurements and tests of pictures.
 
-use super::view::{ArenaView, NeuronMark, RegionView, RobotPose, RobotView};
+use super::view::{ArenaView, ConeView, NeuronMark, RegionView, RobotPose, RobotView};
 use std::f64::consts::{PI, TAU};
 
 /// The laboratory in the middle of a trial: `ghosts` earlier trials, `neurons` neurons, a robot
@@ -105,6 +105,11 @@ fn neuron(number: usize) -> NeuronMark {
     }
 }
 
+fn cone(index: usize) -> ConeView {
+    let axis_rad = TAU * index as f64 / 24.0;
+    ConeView { at_m: [0.265 * axis_rad.cos(), 0.265 * axis_rad.sin()], axis_rad }
+}
+
 fn robot_at(at_m: [f64; 2]) -> RobotView {
     let reading = |i: usize| {
         let heading = -0.9 + TAU * i as f64 / 24.0;
@@ -117,8 +122,10 @@ fn robot_at(at_m: [f64; 2]) -> RobotView {
         pose: RobotPose { at_m, heading_rad: -0.9 },
         believed: RobotPose { at_m: [at_m[0] + 0.12, at_m[1] + 0.07], heading_rad: -0.75 },
         radius_m: 0.265,
+        corners_m: Vec::new(),
         cone_rad: 15_f64.to_radians(),
         range_m: 4.0,
+        cones: (0..24).map(cone).collect(),
         sonar_m: (0..24).map(reading).collect(),
         collided: false,
     }

@@ -67,20 +67,33 @@ pub struct RobotPose {
 }
 
 /// The robot as drawn.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct RobotView {
     /// True pose.
     pub pose: RobotPose,
     /// Where it believes to be.
     pub believed: RobotPose,
-    /// Radius of the shell.
+    /// Radius of the body; of the circle around it, when it is not round.
     pub radius_m: f64,
+    /// Corners of a body that is not round, robot frame.
+    pub corners_m: Vec<[f64; 2]>,
     /// Full angle of a sonar cone.
     pub cone_rad: f64,
     /// Range of the sonars.
     pub range_m: f64,
-    /// Readings from the shell, sonar `i` at `i · 2π / n` counter-clockwise from the heading.
+    /// The sonars' cones, in the order of the readings.
+    pub cones: Vec<ConeView>,
+    /// Readings, each from where its cone begins; none when no cones are to be drawn.
     pub sonar_m: Vec<f64>,
     /// It collided in this step.
     pub collided: bool,
+}
+
+/// Where a sonar's cone begins and where it goes, robot frame: x ahead, y to the left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConeView {
+    /// Place of the sonar.
+    pub at_m: [f64; 2],
+    /// Axis from the heading.
+    pub axis_rad: f64,
 }

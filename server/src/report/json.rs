@@ -8,7 +8,8 @@ use serde_json::Value;
 use super::differences::Differences;
 use super::{SessionReport, TrialReport};
 use crate::wire::{
-    LogEntry, PresetInfo, Session, SettingInfo, Summary, TickView, Trial, TrialEndView, WorldView,
+    AlteredStartView, LogEntry, PresetInfo, Session, SettingInfo, Summary, TickView, Trial,
+    TrialEndView, WorldView,
 };
 
 /// Version of both JSON files, in `format_version`.
@@ -25,6 +26,7 @@ pub fn json(report: &SessionReport) -> String {
         settings: &session.settings,
         trials: &report.trials,
         summary: &report.summary,
+        starts: &report.starts,
         differences: Differences::of(report),
         events: &report.events,
         settings_info: &report.settings,
@@ -63,6 +65,8 @@ struct SessionFile<'a> {
     settings: &'a BTreeMap<String, Value>,
     trials: &'a [Trial],
     summary: &'a Summary,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    starts: &'a [AlteredStartView],
     differences: Differences,
     events: &'a [LogEntry],
     settings_info: &'a [SettingInfo],

@@ -31,7 +31,8 @@ pub use session_page::html;
 pub use trial_page::trial_html;
 
 use crate::wire::{
-    LogEntry, PresetInfo, Session, SettingInfo, Summary, TickView, Trial, TrialEndView, WorldView,
+    AlteredStartView, LogEntry, PresetInfo, Session, SettingInfo, Summary, TickView, Trial,
+    TrialEndView, WorldView,
 };
 
 /// Everything the report of a session is made from.
@@ -51,6 +52,8 @@ pub struct SessionReport {
     pub preset: PresetInfo,
     /// The world it runs in.
     pub world: WorldView,
+    /// What the networks do from altered starts, where there are any.
+    pub starts: Vec<AlteredStartView>,
     /// The event log, oldest first.
     pub events: Vec<LogEntry>,
     /// Stills, e.g. of the first and the last trial; drawn light, so that they print.

@@ -47,6 +47,7 @@ pub(super) fn session_report() -> SessionReport {
             settings: BTreeMap::new(),
         },
         world: world(),
+        starts: Vec::new(),
         events: events(),
         pictures: vec![picture(1), picture(20)],
         build: "0.1.0 (a47fe4c)".into(),
@@ -221,7 +222,9 @@ fn world() -> WorldView {
         goal_m: [4.0, -2.0],
         goal_radius_m: 0.5,
         robot_radius_m: 0.265,
+        robot_corners_m: Vec::new(),
         sonar_range_m: 8.0,
+        sonars: Vec::new(),
     }
 }
 

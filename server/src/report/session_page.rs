@@ -9,7 +9,7 @@ use super::differences::Differences;
 use super::number::{count_or_nothing, fixed_or_nothing, grouped, state_text, time_text};
 use super::page::{KeyNumber, facts, figure, key_numbers, page};
 use super::session_tables::{
-    differences_tables, events_table, preset_table, settings_table, trials_table,
+    differences_tables, events_table, preset_table, settings_table, starts_table, trials_table,
 };
 use crate::wire::{State, Trial};
 
@@ -25,6 +25,12 @@ pub fn html(report: &SessionReport) -> String {
         section {
             h2 { "Trials" }
             (trials_table(report))
+        }
+        @if !report.starts.is_empty() {
+            section {
+                h2 { "Altered starts" }
+                (starts_table(&report.starts))
+            }
         }
         (differences(report))
         (settings(report))

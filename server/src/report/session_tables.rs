@@ -6,7 +6,7 @@ use super::SessionReport;
 use super::differences::{Difference, Differences, same_value};
 use super::number::{NOTHING, fixed, time_text, value_for_people};
 use super::page::{Heading, number, numbers, table, words};
-use crate::wire::{LogEntry, PresetInfo, SettingInfo, Trial};
+use crate::wire::{AlteredStartView, ExcursionView, LogEntry, PresetInfo, SettingInfo, Trial};
 
 /// One row a trial.
 pub(super) fn trials_table(report: &SessionReport) -> Markup {
@@ -59,6 +59,48 @@ fn trial_row(trial: &Trial, best: Option<u32>) -> Markup {
             (number(fixed(trial.temperature_deg, 1)))
             (number(fixed(trial.path_m, 2)))
         }
+    }
+}
+
+/// What the trained networks do from elsewhere (figure 5.8, below right).
+pub(super) fn starts_table(starts: &[AlteredStartView]) -> Markup {
+    const HEADINGS: [Heading; 9] = [
+        words("Start"),
+        words("Neuron active"),
+        numbers("Explored", "m away"),
+        words("Network alone"),
+        numbers("Steps", ""),
+        numbers("R", "total"),
+        numbers("Silent", "% of steps"),
+        words("With the reflex"),
+        numbers("Steps", ""),
+    ];
+    let rows = html! {
+        @for AlteredStartView { start, inside, explored_m, alone, guided } in starts {
+            tr {
+                th scope="row" { (start.name) }
+                td { (if *inside { "yes" } else { "no" }) }
+                (number(explored_m.map_or_else(|| NOTHING.to_owned(), |way_m| fixed(way_m, 2))))
+                td { (ending(alone)) }
+                (number(alone.steps.to_string()))
+                (number(fixed(alone.total_reinforcement, 2)))
+                (number(fixed(alone.silent_pct, 1)))
+                td { (ending(guided)) }
+                (number(guided.steps.to_string()))
+            }
+        }
+    };
+    let caption = "The networks as the last trial left them, without exploring or learning. Alone, the \
+                   nearest neuron acts even where none is active (silent); beside it, the reflex does";
+    table("starts", caption, &HEADINGS, rows)
+}
+
+fn ending(excursion: &ExcursionView) -> &'static str {
+    match (excursion.reached_goal, excursion.collisions) {
+        (true, 0) => "reached",
+        (true, _) => "reached after collisions",
+        (false, 0) => "not reached",
+        (false, _) => "collided",
     }
 }
 

@@ -1,34 +1,31 @@
 //! The world as the page needs it, and the arena as it is drawn.
 
 use sonarium_core::geometry::Pose;
+use sonarium_core::robot::Mount;
 use sonarium_core::world::World;
 
 use super::Snapshot;
 use crate::catalog::Plan;
-use crate::render::view::{ArenaView, NeuronMark, RegionView, RobotPose, RobotView};
-use crate::wire::{NeuronView, PoseView, TickView, WorldView};
+use crate::render::view::{ArenaView, ConeView, NeuronMark, RegionView, RobotPose, RobotView};
+use crate::wire::{NeuronView, PoseView, SonarView, TickView, WorldView};
 
 /// What of a picture stays the same while a session runs.
 #[derive(Clone, Debug)]
 pub struct Scenery {
     empty: ArenaView,
     regions: Vec<String>,
-    radius_m: f64,
-    cone_rad: f64,
-    range_m: f64,
+    robot: RobotView,
 }
 
 impl Scenery {
     /// The scenery of a plan.
     #[must_use]
     pub fn new(plan: &Plan) -> Self {
-        let (names, robot) = (plan.names(), plan.settings.robot());
+        let names = plan.names();
         Self {
             empty: empty_arena(&plan.world.world, &names.regions),
             regions: names.regions,
-            radius_m: robot.radius_m,
-            cone_rad: robot.sonar_cone_rad,
-            range_m: robot.sonar_range_m,
+            robot: still_robot(plan),
         }
     }
 
@@ -68,11 +65,9 @@ impl Scenery {
         RobotView {
             pose: robot_pose(pose),
             believed: robot_pose(believed),
-            radius_m: self.radius_m,
-            cone_rad: self.cone_rad,
-            range_m: self.range_m,
             sonar_m: if arrived { Vec::new() } else { tick.sonar_m.clone() },
             collided: tick.outcome.contact != "none",
+            ..self.robot.clone()
         }
     }
 
@@ -98,7 +93,7 @@ impl Scenery {
 /// The world as the page needs it.
 #[must_use]
 pub fn world_view(plan: &Plan) -> WorldView {
-    let (world, robot) = (&plan.world.world, plan.settings.robot());
+    let (world, robot) = (&plan.world.world, &plan.robot);
     WorldView {
         name: plan.world.name.clone(),
         title: world.title().to_owned(),
@@ -108,8 +103,29 @@ pub fn world_view(plan: &Plan) -> WorldView {
         home: world.home().into(),
         goal_m: [world.goal().centre.x, world.goal().centre.y],
         goal_radius_m: world.goal().radius_m,
-        robot_radius_m: robot.radius_m,
-        sonar_range_m: robot.sonar_range_m,
+        robot_radius_m: robot.body().reach_m(),
+        robot_corners_m: points(&robot.body().corners()),
+        sonar_range_m: plan.settings.sonar_range_m,
+        sonars: robot.sonars().iter().map(sonar).collect(),
+    }
+}
+
+fn sonar(mount: &Mount) -> SonarView {
+    SonarView { x_m: mount.place.x, y_m: mount.place.y, bearing_deg: mount.axis_deg }
+}
+
+/// What of a plan's robot does not change while it drives.
+fn still_robot(plan: &Plan) -> RobotView {
+    let body = plan.robot.body();
+    let cone =
+        |mount: &Mount| ConeView { at_m: [mount.place.x, mount.place.y], axis_rad: mount.axis_rad };
+    RobotView {
+        radius_m: body.reach_m(),
+        corners_m: points(&body.corners()),
+        cones: plan.robot.sonars().iter().map(cone).collect(),
+        cone_rad: plan.settings.sonar_cone_deg.to_radians(),
+        range_m: plan.settings.sonar_range_m,
+        ..RobotView::default()
     }
 }
 

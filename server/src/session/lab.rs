@@ -13,10 +13,13 @@ use super::feed::Feed;
 use super::history;
 use super::run::Run;
 use super::slots::Slots;
+use super::starts::check_starts;
 use super::state::{Control, name};
 use crate::catalog::{Catalog, FieldError, Plan};
 use crate::store::{SessionRow, Store, StoreError};
-use crate::wire::{Ack, LogEntry, NeuronView, NewSession, Session, State};
+use crate::wire::{
+    Ack, AlteredStartView, LogEntry, NeuronView, NewSession, Session, StartView, State,
+};
 
 /// All sessions. A clone is the same laboratory.
 #[derive(Clone)]
@@ -193,6 +196,27 @@ impl Lab {
         let plan = self.plan(id)?;
         let Some(stored) = self.store().checkpoint(id)? else { return Ok(None) };
         Ok(Run::resume(&plan, &stored).ok().and_then(|run| run.neuron(number)))
+    }
+
+    /// What a session's networks do from altered starts, as its last finished trial left them: from
+    /// these, or from those of its experiment. There is nothing to tell before a trial has ended.
+    ///
+    /// # Errors
+    /// When there is no such session, it cannot be read, or its robot cannot stand at a start.
+    pub fn altered_starts(
+        &self,
+        id: &str,
+        starts: Option<&[StartView]>,
+    ) -> Result<Vec<AlteredStartView>, LabError> {
+        let plan = self.plan(id)?;
+        let starts = starts.unwrap_or(&plan.starts);
+        check_starts(&plan, starts)?;
+        match self.store().checkpoint(id)? {
+            Some(stored) if !starts.is_empty() => {
+                Ok(Run::resume(&plan, &stored)?.altered_starts(starts))
+            }
+            _ => Ok(Vec::new()),
+        }
     }
 
     /// Brings the log of a session under way up to the present, before it is read.

@@ -24,6 +24,7 @@ mod prepare;
 mod reporting;
 mod run;
 mod slots;
+mod starts;
 mod state;
 mod view;
 
@@ -38,5 +39,6 @@ pub use lab::{Lab, LabError};
 pub use paths::Paths;
 pub use reporting::{ReportError, Reporter, summary};
 pub use run::{Run, Stepped};
+pub use starts::{MOST_STARTS, check_starts, starts_arena};
 pub use state::{Condition, Control, Refused, name as state_name};
 pub use view::Names;

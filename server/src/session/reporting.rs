@@ -3,11 +3,14 @@
 use super::arena::{Scenery, world_view};
 use super::lab::{Lab, LabError};
 use super::paths::Paths;
+use super::starts::starts_arena;
 use crate::catalog::Plan;
 use crate::render::{ArenaView, Quality, RenderError, Renderer};
 use crate::report::{Picture, SessionReport, TrialReport};
 use crate::store::StoreError;
-use crate::wire::{PresetInfo, Session, Summary, ThemeName, TickView, Trial, TrialEndView};
+use crate::wire::{
+    AlteredStartView, PresetInfo, Session, Summary, ThemeName, TickView, Trial, TrialEndView,
+};
 
 /// Size of the stills in reports, pixels.
 const STILL_PX: (u32, u32) = (960, 640);
@@ -56,6 +59,7 @@ impl Reporter<'_> {
     pub fn session(&self, id: &str) -> Result<SessionReport, ReportError> {
         let (plan, session) = (self.lab.plan(id)?, self.lab.session(id)?);
         let trials = self.lab.store().trials(id)?;
+        let starts = self.lab.altered_starts(id, None)?;
         Ok(SessionReport {
             title: self.title(&session),
             summary: summary(&trials),
@@ -63,7 +67,8 @@ impl Reporter<'_> {
             preset: self.preset(&session),
             world: world_view(&plan),
             events: self.lab.store().events(id, LINES)?,
-            pictures: self.stills(id, &plan, &trials)?,
+            pictures: self.stills(id, &plan, &trials, &starts)?,
+            starts: starts.into_iter().map(AlteredStartView::without_paths).collect(),
             build: crate::build(),
             session,
             trials,
@@ -103,8 +108,14 @@ impl Reporter<'_> {
         Ok((end, ticks))
     }
 
-    /// The first trial, the best and the last.
-    fn stills(&self, id: &str, plan: &Plan, trials: &[Trial]) -> Result<Vec<Picture>, ReportError> {
+    /// The first trial, the best, the last, and the ways from altered starts.
+    fn stills(
+        &self,
+        id: &str,
+        plan: &Plan,
+        trials: &[Trial],
+        starts: &[AlteredStartView],
+    ) -> Result<Vec<Picture>, ReportError> {
         let first = trials.first().map(|trial| ("First", trial.trial));
         let best = summary(trials).best_trial.map(|trial| ("Best", trial));
         let last = trials.last().map(|trial| ("Last", trial.trial));
@@ -118,6 +129,11 @@ impl Reporter<'_> {
             let view = trial_view(plan, &end, &ticks);
             let caption = format!("{word} trial. {}", view.caption);
             stills.push(self.still(view, &name, caption)?);
+        }
+        if !starts.is_empty() {
+            let view = starts_arena(&Scenery::new(plan), starts);
+            let caption = view.caption.clone();
+            stills.push(self.still(view, "altered-starts", caption)?);
         }
         Ok(stills)
     }

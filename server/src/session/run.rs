@@ -28,7 +28,8 @@ impl Run {
     /// # Errors
     /// When the settings do not fit the world.
     pub fn new(plan: &Plan) -> Result<Self, FieldError> {
-        let machine = MinimumCostPath::new(plan.world.world.clone(), &plan.settings, plan.seed)
+        let (world, robot) = (plan.world.world.clone(), plan.robot.clone());
+        let machine = MinimumCostPath::new(world, robot, &plan.settings, plan.seed)
             .map_err(|error| FieldError::new("settings", error.to_string()))?;
         Ok(Self { machine, names: plan.names() })
     }
@@ -42,8 +43,8 @@ impl Run {
             |why: String| FieldError::new("checkpoint", format!("{why}; reset the session"));
         let checkpoint: Checkpoint =
             postcard::from_bytes(&stored.bytes).map_err(|error| refuse(error.to_string()))?;
-        let world = plan.world.world.clone();
-        let machine = MinimumCostPath::resume(world, &plan.settings, plan.seed, &checkpoint)
+        let (world, robot) = (plan.world.world.clone(), plan.robot.clone());
+        let machine = MinimumCostPath::resume(world, robot, &plan.settings, plan.seed, &checkpoint)
             .map_err(|error| refuse(error.to_string()))?;
         Ok(Self { machine, names: plan.names() })
     }
@@ -61,6 +62,10 @@ impl Run {
     pub fn step_silently(&mut self) -> Option<Trial> {
         let (_, end): (&Tick, Option<&TrialEnd>) = self.machine.step();
         end.map(|end| self.names.trial(&end.record))
+    }
+
+    pub(super) fn machine(&self) -> &MinimumCostPath {
+        &self.machine
     }
 
     /// One control step, of which nothing but the true way is kept: where the robot was, unless the

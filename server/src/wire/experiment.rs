@@ -18,6 +18,8 @@ pub struct ExperimentInfo {
     pub summary: String,
     /// Where the thesis describes it.
     pub source: String,
+    /// The robot that runs it.
+    pub robot: RobotInfo,
     /// Trials of a session unless told otherwise.
     pub default_trials: u32,
     /// Most trials a session may have.
@@ -26,8 +28,23 @@ pub struct ExperimentInfo {
     pub presets: Vec<PresetInfo>,
     /// Worlds it can run in; the first is the default.
     pub worlds: Vec<WorldInfo>,
+    /// Altered starts in the default world, which trained networks are tried from.
+    pub starts: Vec<super::StartView>,
     /// Every setting.
     pub settings: Vec<SettingInfo>,
+}
+
+/// A robot.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
+pub struct RobotInfo {
+    /// Name, that of its file.
+    pub name: String,
+    /// Title for people.
+    pub title: String,
+    /// What it is.
+    pub summary: String,
+    /// Where it comes from.
+    pub source: String,
 }
 
 /// A named set of settings.

@@ -6,6 +6,7 @@
 mod experiment;
 mod reproduction;
 mod session;
+mod start;
 mod stream;
 mod tick;
 mod typescript;
@@ -13,6 +14,7 @@ mod typescript;
 pub use experiment::*;
 pub use reproduction::*;
 pub use session::*;
+pub use start::*;
 pub use stream::*;
 pub use tick::*;
 pub use typescript::typescript;

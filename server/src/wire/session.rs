@@ -233,6 +233,9 @@ pub struct RunResult {
     pub trials: Vec<Trial>,
     /// Their summary.
     pub summary: Summary,
+    /// What the networks do afterwards from altered starts, where there are any.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub starts: Vec<super::AlteredStartView>,
 }
 
 /// RFC 9457 problem details.

@@ -33,7 +33,7 @@ pub enum ServerMessage {
         /// The step.
         tick: Box<TickView>,
     },
-    /// The 24 sonar readings of the present step.
+    /// The sonar readings of the present step.
     Depths {
         /// Number of the last event.
         seq: u64,
@@ -128,10 +128,25 @@ pub struct WorldView {
     pub goal_m: [f64; 2],
     /// Radius of the goal, metres.
     pub goal_radius_m: f64,
-    /// Radius of the robot, metres.
+    /// Radius of the robot, metres; of the circle around it, when it is not round.
     pub robot_radius_m: f64,
+    /// Corners of a robot that is not round, counter-clockwise, robot frame, metres.
+    pub robot_corners_m: Vec<[f64; 2]>,
     /// Range of the sonars, metres.
     pub sonar_range_m: f64,
+    /// The sonars, in the order of their readings.
+    pub sonars: Vec<SonarView>,
+}
+
+/// Where a sonar sits and looks, robot frame: x ahead, y to the left.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS)]
+pub struct SonarView {
+    /// Metres.
+    pub x_m: f64,
+    /// Metres.
+    pub y_m: f64,
+    /// Axis of its cone from the heading, counter-clockwise, degrees.
+    pub bearing_deg: f64,
 }
 
 /// One point of each learning curve.

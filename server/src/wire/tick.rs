@@ -30,7 +30,7 @@ pub struct TickView {
     pub true_pose: PoseView,
     /// Believed pose (odometry) when sensing.
     pub pose: PoseView,
-    /// The 24 sonar readings, metres from the shell; sonar i looks 15°·i counter-clockwise from the heading.
+    /// One reading a sonar, metres from where it sits; `hello` and the robot's file say where each looks.
     pub sonar_m: Vec<f64>,
     /// Strongest infrared reflectance, percent.
     pub reflectance_pct: f64,
@@ -194,7 +194,7 @@ pub struct NeuronView {
     pub id: u32,
     /// Region whose network it belongs to.
     pub region: String,
-    /// Centre c, 32 inputs: 24 normalised sonars, 8 distance units. Left out of the live stream, and
+    /// Centre c: normalised sonars, then 8 distance units. Left out of the live stream, and
     /// at the end of a trial that did not change it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub centre: Vec<f64>,

@@ -29,12 +29,13 @@ macro_rules! declare {
 
 fn declarations(config: &Config) -> Vec<String> {
     declare!(config:
-        ExperimentInfo, PresetInfo, WorldInfo, SettingInfo, Choice,
+        ExperimentInfo, RobotInfo, PresetInfo, WorldInfo, SettingInfo, Choice,
         State, Speed, NamedSpeed, NewSession, Session, Ack, StepRequest, StepUnit, SpeedRequest,
         Trial, Summary, RunResult, Problem,
         PoseView, TickView, WinnerView, ReflexView, ExplorationView, AdaptationView, OutcomeView,
         NeuronView, BirthView, TrialEndView, ChangeView,
-        ServerMessage, Hello, WorldView, CurvePoint, LogEntry,
+        StartView, AlteredStartView, ExcursionView,
+        ServerMessage, Hello, WorldView, SonarView, CurvePoint, LogEntry,
         ClientMessage, ArenaRequest, ThemeName,
         ReproductionTarget, ReproductionArm, ReproductionProgress, ReproductionState,
         Reproduction, ReproductionRow, Verdict, ReproductionCurve, ReproductionPoint,

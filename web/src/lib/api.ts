@@ -2,6 +2,7 @@
 
 import type {
   Ack,
+  AlteredStartView,
   ExperimentInfo,
   NeuronView,
   NewSession,
@@ -42,6 +43,10 @@ export const deleteSession = (id: string) => call<null>('DELETE', path(id));
 export const neuron = (id: string, which: number) =>
   call<NeuronView>('GET', `${path(id)}/neurons/${which}`);
 
+/** What the session's networks do from altered starts: from `at`, or from those of the experiment. */
+export const alteredStarts = (id: string, at: string) =>
+  call<AlteredStartView[]>('GET', `${path(id)}/starts${at ? `?${query({ at })}` : ''}`);
+
 /** Control steps of a session, both ends included. */
 export const ticks = (id: string, from: number, to: number) =>
   call<TickView[]>('GET', `${path(id)}/ticks?${query({ from, to })}`);
@@ -80,6 +85,11 @@ export const trialFile = (id: string, trial: number, ending: string) =>
 /** Address of a picture of one trial's path. */
 export function trialPicture(id: string, trial: number, size: Size, theme: ThemeName): string {
   return `${ROOT}/${path(id)}/arena.png?${query({ ...size, trial, theme })}`;
+}
+
+/** Address of a picture of the ways from altered starts. */
+export function startsPicture(id: string, at: string, size: Size, theme: ThemeName): string {
+  return `${ROOT}/${path(id)}/starts.png?${query({ ...size, theme, ...(at ? { at } : {}) })}`;
 }
 
 /** Address of a picture of an experiment's world. */

@@ -1,6 +1,7 @@
 /** A control step in words: what was decided and why, sentence by sentence. */
 
 import { count, degrees, metres, number, signed, words } from './format';
+import { bearingWords, nearest } from './polar';
 import type { NeuronView, TickView } from './protocol';
 import type { Value } from './settings';
 
@@ -96,13 +97,16 @@ function consequence({ outcome }: TickView): string {
   return `A ${outcome.contact} collision (${sensor}), ${way}; ${r}${end}`;
 }
 
-/** Numbers of the situation, as label and value. */
-export function facts(tick: TickView): [string, string][] {
-  const least = Math.min(...tick.sonar_m);
+/** Numbers of the situation, as label and value; bearings are those of the sonars. */
+export function facts(tick: TickView, bearings_deg: number[]): [string, string][] {
+  const least = nearest(tick.sonar_m);
   return [
     ['Region', words(tick.region)],
     ['Goal', `${metres(tick.goal_distance_m)} at ${degrees(tick.goal_bearing_deg)}`],
-    ['Nearest sonar', `${metres(least)} at ${15 * tick.sonar_m.indexOf(least)}°`],
+    [
+      'Nearest sonar',
+      `${metres(tick.sonar_m[least] ?? 0)} ${bearingWords(bearings_deg[least] ?? 0)}`,
+    ],
     ['Infrared', `${number(tick.reflectance_pct, 0)} %`],
     ['Trial so far', `R = ${number(tick.total_reinforcement)}`],
     ['Network', count(tick.neurons, 'neuron')],

@@ -29,6 +29,8 @@ export class LiveSession {
   neurons = $state.raw<NeuronView[]>([]);
   tick = $state.raw<TickView | null>(null);
   sonar_m = $state.raw<number[]>([]);
+  /** Where each sonar looks, from the heading, counter-clockwise. */
+  readonly bearings_deg = $derived((this.world?.sonars ?? []).map((sonar) => sonar.bearing_deg));
   log = $state.raw<LogEntry[]>([]);
   link = $state.raw<Link>(FIRST);
   /** The session cannot be shown at all; status 404 when there is none. */

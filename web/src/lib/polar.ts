@@ -1,10 +1,11 @@
-/** The polar plot of the sonars: 24 cones around the robot, heading upwards. */
+/** The polar plot of the sonars: one cone each around the robot, heading upwards. */
 
 import type { Ink } from './ink';
 
-/** What the plot shows. Ranges from the shell, metres. */
+/** What the plot shows. Ranges from the sonars, metres; bearings counter-clockwise from the heading. */
 export interface Sonars {
   sonar_m: number[];
+  bearings_deg: number[];
   range_m: number;
   robot_radius_m: number;
 }
@@ -23,18 +24,40 @@ export function nearest(sonar_m: number[]): number {
   return sonar_m.indexOf(Math.min(...sonar_m));
 }
 
+/** A bearing as it is said: 60° left, 15° right, ahead. */
+export function bearingWords(bearing_deg: number): string {
+  const from_ahead = signed(bearing_deg);
+  if (from_ahead === 0) return 'ahead';
+  return `${Math.abs(from_ahead)}° ${from_ahead > 0 ? 'left' : 'right'}`;
+}
+
 /** The readings in words, for those who do not see the plot. */
-export function sonarWords(sonar_m: number[]): string {
+export function sonarWords(sonar_m: number[], bearings_deg: number[]): string {
   const least = nearest(sonar_m);
   if (least < 0) return 'No reading yet';
-  const side = ['ahead', 'left', 'behind', 'right'] as const;
-  const sectors = side.map((name, index) => {
-    const around = [-1, 0, 1].map((offset) => sonar_m[(index * 6 + offset + 24) % 24] ?? Infinity);
-    return `${name} ${Math.min(...around).toFixed(2)} m`;
+  const sides = ['ahead', 'left', 'behind', 'right'].flatMap((name, quarter) => {
+    const looking = (index: number) =>
+      Math.abs(signed((bearings_deg[index] ?? 0) - 90 * quarter)) <= 45;
+    const readings = sonar_m.filter((_, index) => looking(index));
+    return readings.length > 0 ? [`${name} ${Math.min(...readings).toFixed(2)} m`] : [];
   });
-  const angle = least <= 12 ? `${least * 15}° left` : `${360 - least * 15}° right`;
-  return `Nearest ${(sonar_m[least] ?? 0).toFixed(2)} m at ${angle} (sonar ${least}); ${sectors.join(', ')}`;
+  const where = bearingWords(bearings_deg[least] ?? 0);
+  return `Nearest ${(sonar_m[least] ?? 0).toFixed(2)} m ${where} (sonar ${least}); ${sides.join(', ')}`;
 }
+
+/** How far the cone of a sonar is drawn to either side, degrees: half way to the next, at most 15. */
+export function halves(bearings_deg: number[], index: number): { left: number; right: number } {
+  const gaps = bearings_deg
+    .filter((_, other) => other !== index)
+    .map((other) => (((other - (bearings_deg[index] ?? 0)) % 360) + 360) % 360);
+  return {
+    left: Math.min(15, ...gaps.map((gap) => gap / 2)),
+    right: Math.min(15, ...gaps.map((gap) => (360 - gap) / 2)),
+  };
+}
+
+/** An angle as -180 to 180 degrees. */
+const signed = (angle_deg: number) => ((((angle_deg + 180) % 360) + 360) % 360) - 180;
 
 /** Draws the plot into a square of `side` pixels. */
 export function drawSonars(
@@ -51,15 +74,15 @@ export function drawSonars(
     hub + scale * Math.sqrt(Math.max(0, Math.min(range_m, view.range_m)));
   context.translate(centre, centre);
   drawRings(context, rings(view.range_m), radius, ink);
-  drawCones(context, view.sonar_m, radius, hub, ink);
+  drawCones(context, view, radius, hub, ink);
   drawHub(context, hub, ink);
   drawLabels(context, rings(view.range_m), radius, ink);
 }
 
 type Radius = (range_m: number) => number;
 
-/** Direction of sonar `index` on the canvas, heading upwards, counter-clockwise. */
-const direction = (index: number) => -Math.PI / 2 - (index * Math.PI) / 12;
+/** A bearing on the canvas, where the heading is upwards and angles turn clockwise. */
+const direction = (bearing_deg: number) => ((-90 - bearing_deg) * Math.PI) / 180;
 
 function drawRings(
   context: CanvasRenderingContext2D,
@@ -78,17 +101,19 @@ function drawRings(
 
 function drawCones(
   context: CanvasRenderingContext2D,
-  sonar_m: number[],
+  { sonar_m, bearings_deg }: Sonars,
   radius: Radius,
   hub: number,
   ink: Ink,
 ): void {
   const least = nearest(sonar_m);
   sonar_m.forEach((range_m, index) => {
-    const middle = direction(index);
+    const bearing_deg = bearings_deg[index] ?? 0;
+    const half = halves(bearings_deg, index);
+    const [from, to] = [direction(bearing_deg + half.left), direction(bearing_deg - half.right)];
     context.beginPath();
-    context.arc(0, 0, radius(range_m), middle - Math.PI / 24, middle + Math.PI / 24);
-    context.arc(0, 0, hub, middle + Math.PI / 24, middle - Math.PI / 24, true);
+    context.arc(0, 0, radius(range_m), from, to);
+    context.arc(0, 0, hub, to, from, true);
     context.closePath();
     context.fillStyle = index === least ? ink.warnWeak : ink.accentWeak;
     context.strokeStyle = index === least ? ink.warn : ink.accent;

@@ -11,6 +11,8 @@ title: string,
 summary: string,
 /** Where the thesis describes it. */
 source: string,
+/** The robot that runs it. */
+robot: RobotInfo,
 /** Trials of a session unless told otherwise. */
 default_trials: number,
 /** Most trials a session may have. */
@@ -19,8 +21,21 @@ max_trials: number,
 presets: Array<PresetInfo>,
 /** Worlds it can run in; the first is the default. */
 worlds: Array<WorldInfo>,
+/** Altered starts in the default world, which trained networks are tried from. */
+starts: Array<StartView>,
 /** Every setting. */
 settings: Array<SettingInfo>, };
+
+/** A robot. */
+export type RobotInfo = {
+/** Name, that of its file. */
+name: string,
+/** Title for people. */
+title: string,
+/** What it is. */
+summary: string,
+/** Where it comes from. */
+source: string, };
 
 /** A named set of settings. */
 export type PresetInfo = {
@@ -224,7 +239,9 @@ settings: Record<string, number | string | boolean>,
 /** The trials. */
 trials: Array<Trial>,
 /** Their summary. */
-summary: Summary, };
+summary: Summary,
+/** What the networks do afterwards from altered starts, where there are any. */
+starts?: Array<AlteredStartView>, };
 
 /** RFC 9457 problem details. */
 export type Problem = {
@@ -260,7 +277,7 @@ step: number,
 true_pose: PoseView,
 /** Believed pose (odometry) when sensing. */
 pose: PoseView,
-/** The 24 sonar readings, metres from the shell; sonar i looks 15°·i counter-clockwise from the heading. */
+/** One reading a sonar, metres from where it sits; `hello` and the robot's file say where each looks. */
 sonar_m: Array<number>,
 /** Strongest infrared reflectance, percent. */
 reflectance_pct: number,
@@ -398,7 +415,7 @@ export type NeuronView = {
 id: number,
 /** Region whose network it belongs to. */
 region: string,
-/** Centre c, 32 inputs: 24 normalised sonars, 8 distance units. Left out of the live stream, and
+/** Centre c: normalised sonars, then 8 distance units. Left out of the live stream, and
  * at the end of a trial that did not change it. */
 centre?: Array<number>,
 /** Prototypical action p, degrees. */
@@ -454,6 +471,46 @@ neuron: number,
 before: number,
 /** After. */
 after: number, };
+
+/** A pose to start from. */
+export type StartView = {
+/** Name for people. */
+name: string,
+/** Metres. */
+x_m: number,
+/** Metres. */
+y_m: number,
+/** Degrees, counter-clockwise from the x axis. */
+heading_deg: number, };
+
+/** What the networks of a run, as they are after its last trial, do from an altered start: without
+ * exploring, growing or adapting. */
+export type AlteredStartView = {
+/** The start. */
+start: StartView,
+/** A neuron is active at the start: the situation lies in its receptive field. */
+inside: boolean,
+/** Distance to the nearest place where a neuron was born, metres; none without neurons. */
+explored_m: number | null,
+/** The network alone: where no neuron is active, the nearest acts. */
+alone: ExcursionView,
+/** The network with the reflex where no neuron is active. */
+guided: ExcursionView, };
+
+/** One way from an altered start. */
+export type ExcursionView = {
+/** It ended at the goal. */
+reached_goal: boolean,
+/** Control steps taken. */
+steps: number,
+/** Total reinforcement R, Eq. (5.27). */
+total_reinforcement: number,
+/** Real and virtual collisions. */
+collisions: number,
+/** Share of the steps at which no neuron was active, percent. */
+silent_pct: number,
+/** True positions, metres, the start first; left out of `run --json`. */
+path_m?: Array<[number, number]>, };
 
 /** A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`);
  * `tick`, `depths` and `neurons` are samples of the present and repeat the number of the last event.
@@ -537,10 +594,23 @@ home: PoseView,
 goal_m: [number, number],
 /** Radius of the goal, metres. */
 goal_radius_m: number,
-/** Radius of the robot, metres. */
+/** Radius of the robot, metres; of the circle around it, when it is not round. */
 robot_radius_m: number,
+/** Corners of a robot that is not round, counter-clockwise, robot frame, metres. */
+robot_corners_m: Array<[number, number]>,
 /** Range of the sonars, metres. */
-sonar_range_m: number, };
+sonar_range_m: number,
+/** The sonars, in the order of their readings. */
+sonars: Array<SonarView>, };
+
+/** Where a sonar sits and looks, robot frame: x ahead, y to the left. */
+export type SonarView = {
+/** Metres. */
+x_m: number,
+/** Metres. */
+y_m: number,
+/** Axis of its cone from the heading, counter-clockwise, degrees. */
+bearing_deg: number, };
 
 /** One point of each learning curve. */
 export type CurvePoint = {

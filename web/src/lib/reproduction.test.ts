@@ -61,7 +61,7 @@ test('verdicts are counted', () => {
 test('decimals follow the width of the interval', () => {
   expect(decimalsFor(27.4, 27.9)).toBe(2);
   expect(decimalsFor(0, 60)).toBe(1);
-  expect(decimalsFor(1.0012, 1.0049)).toBe(4);
+  expect(decimalsFor(1.0012, 1.0049)).toBe(3);
   expect(decimalsFor(0, 0)).toBe(2);
 });
 

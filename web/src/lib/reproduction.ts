@@ -56,7 +56,7 @@ export function tally(rows: ReproductionRow[]): Record<Verdict, number> {
 export function decimalsFor(low: number, high: number): number {
   const width = Math.abs(high - low);
   if (!Number.isFinite(width) || width === 0) return 2;
-  return Math.min(4, Math.max(1, 1 - Math.floor(Math.log10(width))));
+  return Math.min(3, Math.max(1, 1 - Math.floor(Math.log10(width))));
 }
 
 /** The quantities that are drawn, in the server's order. */

@@ -6,7 +6,7 @@ use indicatif::ProgressBar;
 
 use super::super::{Failure, cores};
 use crate::batch::result;
-use crate::catalog::Catalog;
+use crate::catalog::{Catalog, Plan};
 use crate::render::{Backend, Renderer};
 use crate::report;
 use crate::session::{Control, Feed, Lab, Reporter};
@@ -17,6 +17,7 @@ use crate::wire::{NamedSpeed, NewSession, RunResult, Session, Speed, State};
 pub(super) fn run(
     catalog: Catalog,
     requests: &[NewSession],
+    plans: &[Plan],
     folder: &Path,
     progress: &ProgressBar,
     mut take: impl FnMut(RunResult) -> Result<(), Failure>,
@@ -26,6 +27,7 @@ pub(super) fn run(
     let renderer = Renderer::start(backend);
     let runtime = tokio::runtime::Runtime::new()?;
     // A few more than cores are created ahead, so that no core waits for a report to be written.
+    let mut plans = plans.iter();
     for batch in requests.chunks(4 * cores()) {
         let sessions = batch.iter().map(|request| create(&lab, request));
         let sessions: Vec<Session> = sessions.collect::<Result<_, Failure>>()?;
@@ -37,7 +39,9 @@ pub(super) fn run(
         for (session, feed) in sessions.iter().zip(feeds) {
             runtime.block_on(finished(&feed, progress))?;
             write_reports(Reporter { lab: &lab, renderer: &renderer }, &session.id)?;
-            take(result(&lab.plan(&session.id)?, lab.store().trials(&session.id)?))?;
+            let starts = plans.next().map(|plan| plan.starts.as_slice());
+            let starts = lab.altered_starts(&session.id, starts)?;
+            take(result(&lab.plan(&session.id)?, lab.store().trials(&session.id)?, starts))?;
         }
     }
     Ok(())

@@ -2,7 +2,7 @@
 
 use super::{Canvas, rimmed_stroke};
 use crate::render::scene::{Point, Primitive, Scene, Stroke};
-use crate::render::view::{NeuronMark, RobotPose, RobotView};
+use crate::render::view::{ConeView, NeuronMark, RobotPose, RobotView};
 use std::f32::consts::{FRAC_PI_2, TAU};
 
 impl Canvas<'_> {
@@ -128,17 +128,22 @@ impl Canvas<'_> {
         if !half.is_finite() || half <= 0.0 || !robot.pose.heading_rad.is_finite() {
             return;
         }
-        let (half, count) = (half.min(FRAC_PI_2), robot.sonar_m.len());
-        for (index, &reading_m) in robot.sonar_m.iter().enumerate() {
-            let heading =
-                robot.pose.heading_rad + std::f64::consts::TAU * index as f64 / count as f64;
-            self.cone(scene, robot, heading, reading_m, half);
+        let half = half.min(FRAC_PI_2);
+        for (cone, &reading_m) in robot.cones.iter().zip(&robot.sonar_m) {
+            self.cone(scene, robot, *cone, reading_m, half);
         }
     }
 
-    fn cone(&self, scene: &mut Scene, robot: &RobotView, heading: f64, reading_m: f64, half: f32) {
-        let [x, y] = robot.pose.at_m;
-        let at_m = [x + robot.radius_m * heading.cos(), y + robot.radius_m * heading.sin()];
+    fn cone(
+        &self,
+        scene: &mut Scene,
+        robot: &RobotView,
+        cone: ConeView,
+        reading_m: f64,
+        half: f32,
+    ) {
+        let heading = robot.pose.heading_rad + cone.axis_rad;
+        let at_m = on_robot(&robot.pose, cone.at_m);
         let (Some(apex), true) = (self.at.place(at_m), reading_m > 0.0) else { return };
         // A sonar that hears nothing answers its range: no surface stands there.
         let echo = reading_m < robot.range_m;
@@ -159,8 +164,11 @@ impl Canvas<'_> {
     /// The robot's floor area, below the neurons it stands on.
     pub(super) fn shell(&self, scene: &mut Scene) {
         let Some(robot) = self.view.robot.as_ref() else { return };
-        if let Some(centre) = self.at.place(robot.pose.at_m) {
-            scene.disc(centre, self.shell_px(robot), self.theme.background.fade(0.6));
+        let ground = self.theme.background.fade(0.6);
+        match (self.at.place(robot.pose.at_m), robot.corners_m.is_empty()) {
+            (Some(centre), true) => scene.disc(centre, self.shell_px(robot), ground),
+            (Some(_), false) => scene.polygon(self.outline(robot, &robot.pose), ground),
+            (None, _) => {}
         }
     }
 
@@ -169,15 +177,19 @@ impl Canvas<'_> {
         let Some(robot) = self.view.robot.as_ref() else { return };
         let radius = self.shell_px(robot);
         if differs(robot) {
-            self.believed(scene, &robot.believed, radius);
+            self.believed(scene, robot, radius);
         }
         let Some(centre) = self.at.place(robot.pose.at_m) else { return };
         let edge = if robot.collided { self.theme.collision } else { self.theme.robot };
         let width = self.px(if robot.collided { 3.2 } else { 2.2 }).max(1.0);
-        scene.ring(centre, radius, width, edge);
+        if robot.corners_m.is_empty() {
+            scene.ring(centre, radius, width, edge);
+        } else {
+            scene.outline(self.outline(robot, &robot.pose), width, edge);
+        }
         if robot.pose.heading_rad.is_finite() {
             let angle = screen_angle(robot.pose.heading_rad);
-            scene.polygon(nose(centre, angle, radius), edge);
+            scene.polygon(nose(centre, angle, self.front_px(robot)), edge);
         }
         if robot.collided {
             self.cross(scene, [centre[0], centre[1] + radius]);
@@ -188,20 +200,35 @@ impl Canvas<'_> {
         self.at.length(robot.radius_m).max(self.px(4.0))
     }
 
+    /// Way from the centre to the front, where the nose sits.
+    fn front_px(&self, robot: &RobotView) -> f32 {
+        let front_m = robot.corners_m.iter().map(|[x, _]| *x).reduce(f64::max);
+        front_m.map_or_else(|| self.shell_px(robot), |front_m| self.at.length(front_m))
+    }
+
+    /// The outline of a body that is not round, at a pose.
+    fn outline(&self, robot: &RobotView, pose: &RobotPose) -> Vec<Point> {
+        let corners: Vec<[f64; 2]> =
+            robot.corners_m.iter().map(|corner| on_robot(pose, *corner)).collect();
+        self.at.places(&corners)
+    }
+
     /// The dashed outline of the pose the robot believes in.
-    fn believed(&self, scene: &mut Scene, pose: &RobotPose, radius: f32) {
+    fn believed(&self, scene: &mut Scene, robot: &RobotView, radius: f32) {
+        let pose = &robot.believed;
         let Some(centre) = self.at.place(pose.at_m) else { return };
         let circle = |i: u16| toward(centre, TAU * f32::from(i) / 64.0, radius);
+        let round = robot.corners_m.is_empty();
         let width = self.px(1.8).max(1.0);
         let stroke = Stroke { width, colour: self.theme.robot, ..Stroke::default() };
         scene.push(Primitive::Stroke(Stroke {
-            points: (0..64).map(circle).collect(),
+            points: if round { (0..64).map(circle).collect() } else { self.outline(robot, pose) },
             dash: Some(believed_dash(width)),
             closed: true,
             ..stroke.clone()
         }));
         if pose.heading_rad.is_finite() {
-            let points = nose(centre, screen_angle(pose.heading_rad), radius);
+            let points = nose(centre, screen_angle(pose.heading_rad), self.front_px(robot));
             scene.push(Primitive::Stroke(Stroke { points, ..stroke }));
         }
     }
@@ -219,6 +246,13 @@ pub(super) fn nose(centre: Point, angle: f32, radius: f32) -> Vec<Point> {
         toward(centre, angle, 1.45 * radius),
         toward(centre, angle + 0.42, radius),
     ]
+}
+
+/// A place in the robot's frame as one of the world, metres.
+fn on_robot(pose: &RobotPose, [ahead, left]: [f64; 2]) -> [f64; 2] {
+    let (sin, cos) = pose.heading_rad.sin_cos();
+    let [x, y] = pose.at_m;
+    [x + ahead * cos - left * sin, y + ahead * sin + left * cos]
 }
 
 /// Headings turn counter-clockwise in the world; angles turn clockwise on the screen.

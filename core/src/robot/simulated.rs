@@ -1,5 +1,5 @@
-//! The B21, section 5.3: a round robot with a ring of 24 sonars, infrared and tactile sensors and
-//! odometry, simulated in a [`World`].
+//! A robot with sonars, infrared and tactile sensors and odometry, simulated in a [`World`]: the B21 of
+//! section 5.3, or any other that a [`Robot`] describes.
 //!
 //! NOTE: the infrared ring is idealised. Section 5.5 reads the strongest of 56 sensors that detect
 //! objects nearer than 0.5 m, with a reflectance that depends on the colour of the objects; here one
@@ -16,22 +16,18 @@ use rand_distr::StandardNormal;
 
 use crate::geometry::{Pose, Vec2};
 use crate::rng::{Purpose, stream};
-use crate::world::{RayRing, World};
+use crate::world::{RayFan, RayRing, World};
 
-use super::motion::{Course, Motion};
+use super::motion::{Course, Motion, Turn};
+use super::{Body, Contact, Mount, Readings, Robot};
 
-/// Sonars on the enclosure's ring; sonar `i` looks `15°·i` counter-clockwise from the heading.
-pub const SONARS: usize = 24;
-
-/// What the simulated robot is like. Lengths in metres, angles in radians. All numbers are finite
-/// and none is negative; ranges and increments are greater than 0.
+/// How a robot senses and moves. Lengths in metres, angles in radians. All numbers are finite and
+/// none is negative; ranges and increments are greater than 0.
 ///
 /// The thesis gives the way of a step, the infrared range and the threshold (sections 5.4 and 5.5);
-/// the size is that of the robot's enclosure, and the rest describes the simulation.
+/// the rest describes the simulation.
 #[derive(Clone, Debug, PartialEq)]
-pub struct B21Settings {
-    /// Radius of the shell.
-    pub radius_m: f64,
+pub struct SimulationSettings {
     /// Standard deviation of a sonar reading, as a share of it.
     pub sonar_noise: f64,
     /// Full width of a sonar's cone.
@@ -40,6 +36,8 @@ pub struct B21Settings {
     pub sonar_rays: usize,
     /// Greatest reading, and the reading when there is no echo.
     pub sonar_range_m: f64,
+    /// Least reading.
+    pub sonar_least_m: f64,
     /// Incidence beyond which a ray returns no echo; `π/2` loses none.
     pub sonar_critical_rad: f64,
     /// Probability that a sonar misses its echo.
@@ -54,6 +52,8 @@ pub struct B21Settings {
     pub advance_m: f64,
     /// Way between two looks at the infrared and tactile sensors.
     pub increment_m: f64,
+    /// A collision is followed by a rescue: the robot backs off until it is clear.
+    pub rescue: bool,
     /// Clearance from the shell at which a rescue is over.
     pub clear_to_m: f64,
     /// Least way backed off in a rescue.
@@ -67,14 +67,14 @@ pub struct B21Settings {
     pub odometry_drift: f64,
 }
 
-impl Default for B21Settings {
+impl Default for SimulationSettings {
     fn default() -> Self {
         Self {
-            radius_m: 0.265,
             sonar_noise: 0.01,
             sonar_cone_rad: FRAC_PI_2 / 6.0,
             sonar_rays: 5,
             sonar_range_m: 8.0,
+            sonar_least_m: 0.0,
             sonar_critical_rad: FRAC_PI_2,
             sonar_dropout: 0.0,
             infrared_range_m: 0.5,
@@ -82,6 +82,7 @@ impl Default for B21Settings {
             infrared_reflectance: 0.875,
             advance_m: 0.2,
             increment_m: 0.01,
+            rescue: true,
             clear_to_m: 0.15,
             back_min_m: 0.1,
             back_max_m: 0.6,
@@ -91,7 +92,7 @@ impl Default for B21Settings {
     }
 }
 
-impl B21Settings {
+impl SimulationSettings {
     /// Strongest infrared reflectance at a clearance from the shell, percent of full reflection.
     #[must_use]
     pub fn reflectance_pct(&self, clearance_m: f64) -> f64 {
@@ -111,56 +112,63 @@ impl B21Settings {
 /// What the robot senses where it stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensed {
-    /// Sonar readings, metres from the shell, sonar `i` at `15°·i` counter-clockwise.
-    pub sonar_m: [f64; SONARS],
+    /// Sonar readings, metres from each sonar.
+    pub sonar_m: Readings,
     /// Strongest infrared reflectance, percent of full reflection.
     pub reflectance_pct: f64,
 }
 
 /// The simulated robot.
 #[derive(Clone, Debug)]
-pub struct B21 {
+pub struct SimulatedRobot {
     world: Arc<World>,
-    settings: B21Settings,
+    robot: Arc<Robot>,
+    settings: SimulationSettings,
     seed: u64,
     ring: RayRing,
     sonar_rng: ChaCha8Rng,
     odometry_rng: ChaCha8Rng,
-    body: Body,
-    believed: Body,
-    /// Distance from the true position to the nearest surface less the radius, metres.
+    actual: Stance,
+    believed: Stance,
+    /// Distance from the body to the nearest surface where the robot really is, metres.
     clearance_m: f64,
 }
 
 /// A pose with the unit vector of its heading, which every step needs several times.
 #[derive(Clone, Copy, Debug)]
-struct Body {
+struct Stance {
     pose: Pose,
     direction: Vec2,
 }
 
-impl B21 {
+impl SimulatedRobot {
     /// A robot at the world's home, ready for the first trial.
     #[must_use]
-    pub fn new(world: Arc<World>, settings: B21Settings, seed: u64) -> Self {
+    pub fn new(
+        world: Arc<World>,
+        robot: Arc<Robot>,
+        settings: SimulationSettings,
+        seed: u64,
+    ) -> Self {
+        let fans: Vec<RayFan> = robot.sonars().iter().map(Mount::fan).collect();
         let ring = RayRing::new(
-            SONARS,
+            &fans,
             settings.sonar_rays,
             settings.sonar_cone_rad,
-            settings.radius_m,
             settings.sonar_range_m,
             settings.sonar_critical_rad,
         );
-        let home = Body::new(world.home());
-        let clearance_m = world.surface_distance_m(home.pose.position()) - settings.radius_m;
+        let home = Stance::new(world.home());
+        let clearance_m = home.clearance_m(robot.body(), &world);
         Self {
             sonar_rng: stream(seed, 0, Purpose::Sonar),
             odometry_rng: stream(seed, 0, Purpose::Odometry),
             world,
+            robot,
             settings,
             seed,
             ring,
-            body: home,
+            actual: home,
             believed: home,
             clearance_m,
         }
@@ -168,18 +176,23 @@ impl B21 {
 
     /// Puts the robot back home for a trial (0-based), its belief true and its random streams fresh.
     pub fn begin_trial(&mut self, trial0: u32) {
+        self.begin_trial_at(trial0, self.world.home());
+    }
+
+    /// Puts the robot anywhere for a trial (0-based), its belief true and its random streams fresh.
+    pub fn begin_trial_at(&mut self, trial0: u32, start: Pose) {
         self.sonar_rng = stream(self.seed, trial0, Purpose::Sonar);
         self.odometry_rng = stream(self.seed, trial0, Purpose::Odometry);
-        self.body = Body::new(self.world.home());
-        self.believed = self.body;
-        self.clearance_m = self.clearance_at(self.body.pose.position());
+        self.actual = Stance::new(start);
+        self.believed = self.actual;
+        self.clearance_m = self.actual.clearance_m(self.robot.body(), &self.world);
     }
 
     /// Reads all sensors. Each call draws fresh noise.
     pub fn sense(&mut self) -> Sensed {
-        let mut sonar_m = [0.0; SONARS];
-        let position = self.body.pose.position();
-        self.ring.scan(&self.world, position, self.body.direction, &mut sonar_m);
+        let mut sonar_m = Readings::zero(self.robot.sonars().len());
+        let Stance { pose, direction } = self.actual;
+        self.ring.scan(&self.world, pose.position(), direction, &mut sonar_m);
         self.disturb(&mut sonar_m);
         Sensed { sonar_m, reflectance_pct: self.settings.reflectance_pct(self.clearance_m) }
     }
@@ -189,20 +202,22 @@ impl B21 {
     pub fn act(&mut self, rotation_rad: f64) -> Motion {
         let drift = self.draw_drift();
         let executed_rad = rotation_rad * drift.rotation_factor + drift.rotation_rad;
-        self.body = self.body.turned(executed_rad);
+        let turn = self.turn(executed_rad);
+        self.actual = self.actual.turned(executed_rad * turn.share);
         // Without drift both turn alike, so that the belief stays true to the last bit.
-        self.believed = self.believed.turned(rotation_rad);
+        self.believed = self.believed.turned(rotation_rad * turn.share);
         let course = Course {
             world: &self.world,
+            body: self.robot.body(),
             settings: &self.settings,
-            start: self.body.pose.position(),
-            direction: self.body.direction,
-            start_clearance_m: self.clearance_m,
+            start: self.actual.pose.position(),
+            direction: self.actual.direction,
+            start_clearance_m: turn.clearance_m,
         };
-        let way = course.travel();
+        let way = course.travel(turn.contact);
         self.clearance_m = way.clearance_m;
         let net_m = way.advanced_m - way.backed_m;
-        self.body = self.body.shifted(net_m);
+        self.actual = self.actual.shifted(net_m);
         let before = self.believed.pose.position();
         self.believed = self.believed.shifted(net_m * drift.advance_factor);
         Motion {
@@ -213,10 +228,30 @@ impl B21 {
         }
     }
 
+    /// How much of a rotation the body has room for. A round body always has.
+    fn turn(&self, rotation_rad: f64) -> Turn {
+        let whole = Turn { share: 1.0, contact: Contact::None, clearance_m: self.clearance_m };
+        let body = self.robot.body();
+        let Body::Box { .. } = body else { return whole };
+        let way_m = rotation_rad.abs() * body.reach_m();
+        let steps = libm::ceil(way_m / self.settings.increment_m).max(1.0) as u32;
+        let mut done = Turn { share: 0.0, ..whole };
+        for step in 1..=steps {
+            let share = f64::from(step) / f64::from(steps);
+            let turned = self.actual.turned(rotation_rad * share);
+            let clearance_m = turned.clearance_m(body, &self.world);
+            if clearance_m <= 0.0 {
+                return Turn { contact: Contact::Real, ..done };
+            }
+            done = Turn { share, contact: Contact::None, clearance_m };
+        }
+        done
+    }
+
     /// Where the robot is.
     #[must_use]
     pub fn true_pose(&self) -> Pose {
-        self.body.pose
+        self.actual.pose
     }
 
     /// Where the robot believes to be, by its odometry.
@@ -229,7 +264,7 @@ impl B21 {
     #[must_use]
     pub fn at_goal(&self) -> bool {
         let goal = self.world.goal();
-        self.body.pose.distance_to(goal.centre) < goal.radius_m
+        self.actual.pose.distance_to(goal.centre) < goal.radius_m
     }
 
     /// Distance from the shell to the nearest surface, metres.
@@ -238,14 +273,10 @@ impl B21 {
         self.clearance_m
     }
 
-    fn clearance_at(&self, position: Vec2) -> f64 {
-        self.world.surface_distance_m(position) - self.settings.radius_m
-    }
-
     /// Noise, missed echoes and the limits of the readings. What is switched off draws nothing.
-    fn disturb(&mut self, sonar_m: &mut [f64; SONARS]) {
+    fn disturb(&mut self, sonar_m: &mut Readings) {
         let (noise, dropout) = (self.settings.sonar_noise, self.settings.sonar_dropout);
-        for reading_m in sonar_m {
+        for reading_m in sonar_m.iter_mut() {
             if noise > 0.0 {
                 let normal: f64 = self.sonar_rng.sample(StandardNormal);
                 *reading_m *= 1.0 + noise * normal;
@@ -253,7 +284,7 @@ impl B21 {
             if dropout > 0.0 && self.sonar_rng.random::<f64>() < dropout {
                 *reading_m = self.settings.sonar_range_m;
             }
-            *reading_m = reading_m.clamp(0.0, self.settings.sonar_range_m);
+            *reading_m = reading_m.clamp(self.settings.sonar_least_m, self.settings.sonar_range_m);
         }
     }
 
@@ -278,7 +309,7 @@ struct Drift {
     advance_factor: f64,
 }
 
-impl Body {
+impl Stance {
     fn new(pose: Pose) -> Self {
         Self { pose, direction: pose.direction() }
     }
@@ -290,6 +321,10 @@ impl Body {
 
     fn shifted(&self, way_m: f64) -> Self {
         Self { pose: self.pose.at(self.pose.position() + self.direction * way_m), ..*self }
+    }
+
+    fn clearance_m(&self, body: Body, world: &World) -> f64 {
+        body.clearance_m(world, self.pose.position(), self.direction)
     }
 }
 

@@ -3,14 +3,15 @@ use proptest::prelude::*;
 use super::*;
 use crate::geometry::wrap_angle;
 use crate::robot::Contact;
+use crate::robot::examples::b21;
 use crate::world::examples::{all_files, laboratory_file, room_file, world};
 
-fn robot(settings: B21Settings, seed: u64) -> B21 {
-    B21::new(Arc::new(world(&laboratory_file())), settings, seed)
+fn robot(settings: SimulationSettings, seed: u64) -> SimulatedRobot {
+    SimulatedRobot::new(Arc::new(world(&laboratory_file())), b21(), settings, seed)
 }
 
-fn quiet() -> B21Settings {
-    B21Settings { sonar_noise: 0.0, ..B21Settings::default() }
+fn quiet() -> SimulationSettings {
+    SimulationSettings { sonar_noise: 0.0, ..SimulationSettings::default() }
 }
 
 /// Rotations that lead through the laboratory and into its walls.
@@ -19,12 +20,12 @@ fn rotation_rad(step: u32) -> f64 {
 }
 
 /// Poses and readings of a whole trial, as bits.
-fn trial_bits(robot: &mut B21, trial0: u32) -> Vec<u64> {
+fn trial_bits(robot: &mut SimulatedRobot, trial0: u32) -> Vec<u64> {
     robot.begin_trial(trial0);
     let mut bits = Vec::new();
     for step in 0..200 {
         let sensed = robot.sense();
-        bits.extend(sensed.sonar_m.map(f64::to_bits));
+        bits.extend(sensed.sonar_m.iter().map(|reading| reading.to_bits()));
         let motion = robot.act(rotation_rad(step));
         let (truth, belief) = (robot.true_pose(), robot.pose());
         bits.extend([truth.x_m, belief.y_m, belief.heading_rad, motion.moved.x].map(f64::to_bits));
@@ -34,7 +35,8 @@ fn trial_bits(robot: &mut B21, trial0: u32) -> Vec<u64> {
 
 #[test]
 fn the_same_seed_gives_the_same_bits_whatever_came_before() {
-    let settings = B21Settings { odometry_drift: 0.02, sonar_dropout: 0.1, ..Default::default() };
+    let settings =
+        SimulationSettings { odometry_drift: 0.02, sonar_dropout: 0.1, ..Default::default() };
     let mut first = robot(settings.clone(), 7);
     let bits = trial_bits(&mut first, 3);
     trial_bits(&mut first, 4);
@@ -46,7 +48,7 @@ fn the_same_seed_gives_the_same_bits_whatever_came_before() {
 
 #[test]
 fn a_new_robot_is_ready_for_the_first_trial() {
-    let mut fresh = robot(B21Settings::default(), 7);
+    let mut fresh = robot(SimulationSettings::default(), 7);
     let mut begun = fresh.clone();
     begun.begin_trial(0);
     assert_eq!(fresh.sense(), begun.sense());
@@ -55,16 +57,20 @@ fn a_new_robot_is_ready_for_the_first_trial() {
 #[test]
 fn readings_without_noise_are_the_distances_and_with_noise_scatter_about_them() {
     let room = Arc::new(world(&room_file(4.0, 4.0)));
-    let mut quiet = B21::new(room.clone(), quiet(), 1);
+    let mut quiet = SimulatedRobot::new(room.clone(), b21(), quiet(), 1);
     let exact = quiet.sense();
     assert_eq!(exact, quiet.sense());
     for sonar in [0, 6, 12, 18] {
         assert!((exact.sonar_m[sonar] - 1.735).abs() < 1e-12, "sonar {sonar}");
     }
-    let mut noisy = B21::new(room, B21Settings::default(), 1);
+    let mut noisy = SimulatedRobot::new(room, b21(), SimulationSettings::default(), 1);
     let errors: Vec<f64> = (0..400)
-        .flat_map(|_| noisy.sense().sonar_m.into_iter().zip(exact.sonar_m))
-        .map(|(reading, distance)| reading / distance - 1.0)
+        .flat_map(|_| {
+            let (noisy, exact) = (noisy.sense().sonar_m, exact.sonar_m);
+            let errors =
+                noisy.iter().zip(exact.iter()).map(|(reading, exact)| reading / exact - 1.0);
+            errors.collect::<Vec<f64>>()
+        })
         .collect();
     let count = errors.len() as f64;
     let mean = errors.iter().sum::<f64>() / count;
@@ -75,16 +81,16 @@ fn readings_without_noise_are_the_distances_and_with_noise_scatter_about_them() 
 
 #[test]
 fn a_missed_echo_reads_the_range() {
-    let settings = B21Settings { sonar_dropout: 0.25, ..B21Settings::default() };
+    let settings = SimulationSettings { sonar_dropout: 0.25, ..SimulationSettings::default() };
     let mut robot = robot(settings, 1);
-    let readings: Vec<f64> = (0..400).flat_map(|_| robot.sense().sonar_m).collect();
+    let readings: Vec<f64> = (0..400).flat_map(|_| robot.sense().sonar_m.to_vec()).collect();
     let missed = readings.iter().filter(|reading| **reading >= 8.0).count() as f64;
     assert!((missed / readings.len() as f64 - 0.25).abs() < 0.02, "{missed}");
 }
 
 #[test]
 fn the_reflectance_crosses_the_threshold_at_10_cm() {
-    let settings = B21Settings::default();
+    let settings = SimulationSettings::default();
     assert!((settings.virtual_collision_m() - 0.1).abs() < 1e-12);
     for (clearance_m, expected) in
         [(-0.1, 87.5), (0.0, 87.5), (0.1, 70.0), (0.25, 43.75), (0.5, 0.0), (3.0, 0.0)]
@@ -96,7 +102,7 @@ fn the_reflectance_crosses_the_threshold_at_10_cm() {
 
 #[test]
 fn driving_at_a_wall_ends_in_a_virtual_collision_and_a_rescue() {
-    let mut robot = B21::new(Arc::new(world(&room_file(4.0, 4.0))), quiet(), 1);
+    let mut robot = SimulatedRobot::new(Arc::new(world(&room_file(4.0, 4.0))), b21(), quiet(), 1);
     for step in 0..8 {
         let motion = robot.act(0.0);
         assert_eq!((motion.contact, motion.backed_m), (Contact::None, 0.0), "step {step}");
@@ -123,8 +129,9 @@ fn without_drift_the_belief_is_true_to_the_bit() {
 #[test]
 fn with_drift_the_turn_is_off_and_the_way_is_mismeasured() {
     let k = 0.02;
-    let settings = B21Settings { odometry_drift: k, ..quiet() };
-    let mut robot = B21::new(Arc::new(world(&room_file(30.0, 30.0))), settings, 1);
+    let settings = SimulationSettings { odometry_drift: k, ..quiet() };
+    let mut robot =
+        SimulatedRobot::new(Arc::new(world(&room_file(30.0, 30.0))), b21(), settings, 1);
     let (mut turns, mut ways) = (Vec::new(), Vec::new());
     for trial0 in 0..80 {
         robot.begin_trial(trial0);
@@ -149,7 +156,7 @@ fn with_drift_the_turn_is_off_and_the_way_is_mismeasured() {
 fn the_goal_counts_where_the_robot_is_not_where_it_believes_to_be() {
     let mut file = room_file(6.0, 6.0);
     file.goal.radius_m = 0.3;
-    let mut robot = B21::new(Arc::new(world(&file)), quiet(), 1);
+    let mut robot = SimulatedRobot::new(Arc::new(world(&file)), b21(), quiet(), 1);
     assert!(robot.at_goal());
     robot.act(0.0);
     assert!(robot.at_goal());
@@ -167,9 +174,9 @@ proptest! {
         infrared_reflectance in 0.6..1.0f64,
     ) {
         let settings =
-            B21Settings { infrared_reflectance, odometry_drift: drift, ..B21Settings::default() };
+            SimulationSettings { infrared_reflectance, odometry_drift: drift, ..SimulationSettings::default() };
         let world = Arc::new(world(&all_files()[world_index]));
-        let mut robot = B21::new(world.clone(), settings, 1);
+        let mut robot = SimulatedRobot::new(world.clone(), b21(), settings, 1);
         for rotation_rad in rotations {
             let motion = robot.act(rotation_rad);
             let clearance_m = world.clearance_m(robot.true_pose().position()) - 0.265;
