@@ -215,10 +215,15 @@ fn all_learners_can_compete() {
     for at in [2, 3] {
         assert!(scores[at].gain.expect("compared") > 0.0, "{:?}", scores[at]);
     }
-    let sweeping = GridworldSettings { kind: LearnerKind::Sweeping, planning: 1, ..settings };
+    let sweeping = GridworldSettings {
+        kind: LearnerKind::Sweeping,
+        learners: Learners::One,
+        planning: 1,
+        ..settings
+    };
     let mut contest = sweeping.contest(&maze("dyna"), "", 1).expect("a good world");
     let mut waited = false;
-    for _ in 0..3_000 {
+    while contest.episodes_done() < 1 {
         contest.step();
         let learner = contest.walk().learner();
         let queue = learner.queue();

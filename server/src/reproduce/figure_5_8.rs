@@ -4,7 +4,9 @@ use sonarium_core::geometry::Vec2;
 use sonarium_core::stats::{self, Estimate};
 
 use super::figure_5_9::{TRIALS, first_reached};
-use super::{Findings, PRESETS, Picture, ReproductionError, Row, Sample, Set, Sets, Target};
+use super::{
+    Findings, PRESETS, PUBLISHED, Picture, ReproductionError, Row, Sample, Set, Sets, Target,
+};
 use crate::catalog::{MINIMUM_COST_PATH_TRC, Plan};
 use crate::render::ArenaView;
 use crate::session::{Run, Scenery, starts_arena};
@@ -27,6 +29,7 @@ pub static FIGURE_5_8: Target = Target {
          active, the nearest acts, and a collision ends the way",
         "The world is our own, since the figure is lost",
     ],
+    rule: PUBLISHED,
     experiment: MINIMUM_COST_PATH_TRC,
     arms: PRESETS,
     trials: TRIALS,

@@ -2,7 +2,9 @@
 
 use sonarium_core::stats::{self, Estimate};
 
-use super::{Findings, PRESETS, ReproductionError, Row, SEEDS, Sample, Set, Sets, Target, curve};
+use super::{
+    Findings, PRESETS, PUBLISHED, ReproductionError, Row, SEEDS, Sample, Set, Sets, Target, curve,
+};
 use crate::catalog::MINIMUM_COST_PATH_TRC;
 use crate::wire::Trial;
 
@@ -25,6 +27,7 @@ pub static FIGURE_5_9: Target = Target {
          thesis; their curves are over the sets that reached it, and n says how many",
         "A collision, real or virtual, ends the trial",
     ],
+    rule: PUBLISHED,
     experiment: MINIMUM_COST_PATH_TRC,
     arms: PRESETS,
     trials: TRIALS,

@@ -47,16 +47,16 @@ use crate::wire::{ReproductionArm, ReproductionTarget};
 
 /// Everything that can be reproduced.
 pub static TARGETS: &[&Target] = &[
-        &TABLE_5_1,
-        &FIGURE_5_8,
-        &FIGURE_5_9,
-        &FIGURE_5_10,
-        &FIGURE_5_11,
-        &FIGURE_5_12,
-        &FIGURE_5_13,
-        &ABLATIONS,
-        &ROBUSTNESS,
-    ];
+    &TABLE_5_1,
+    &FIGURE_5_8,
+    &FIGURE_5_9,
+    &FIGURE_5_10,
+    &FIGURE_5_11,
+    &FIGURE_5_12,
+    &FIGURE_5_13,
+    &ABLATIONS,
+    &ROBUSTNESS,
+];
 
 /// How verdicts on published figures are found.
 pub const PUBLISHED: &str = Verdict::RULE;

@@ -58,6 +58,7 @@ fn network(centres: &[Input]) -> Network {
             centre: *centre,
             prototypical_rad: 0.0,
             mean_deg: 0.0,
+            aim: None,
             utility: 0.0,
             pending: false,
             wins: 0,

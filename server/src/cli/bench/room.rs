@@ -93,6 +93,7 @@ fn file(name: &str, walls: Vec<Vec<[f64; 2]>>, home: [f64; 2], goal: [f64; 2]) -
         source: "bench".to_owned(),
         walls,
         blocks: Vec::new(),
+        floor: Vec::new(),
         regions: vec![RegionFile { name: "everywhere".to_owned(), rules: Vec::new() }],
         home: HomeFile { x: home[0], y: home[1], heading_deg: 0.0 },
         goal: GoalFile { x: goal[0], y: goal[1], radius_m: 0.5 },
