@@ -301,6 +301,8 @@ neuron: number | null,
 prototypical_deg: number,
 /** Its utility u; none while pending. */
 utility: number | null,
+/** Where its mean points, when it aims along a shortcut (addition A1). */
+aim: AimView | null,
 /** The stochastic unit, Eq. (5.12)-(5.16). */
 exploration: ExplorationView,
 /** `network`, `reflex` or `after-rescue`. */
@@ -456,8 +458,8 @@ trial: Trial,
 backed_up: Array<ChangeView>,
 /** Prototypical actions replaced, Eq. (5.28), degrees. */
 replaced: Array<ChangeView>,
-/** Means set by the band proposal (addition A1), degrees. */
-proposed: Array<ChangeView>,
+/** Shortcuts proposed (addition A1), with their reason. */
+proposed: Array<ProposalView>,
 /** Neurons deleted (addition D3). */
 forgotten: Array<number>,
 /** All neurons after the trial; centres only where the trial set or moved them. */
@@ -471,6 +473,32 @@ neuron: number,
 before: number,
 /** After. */
 after: number, };
+
+/** A place a neuron aims at (addition A1), odometry frame. */
+export type AimView = {
+/** Metres. */
+x_m: number,
+/** Metres. */
+y_m: number,
+/** Neuron in charge there on the record path; none at the goal. */
+then: number | null, };
+
+/** A shortcut proposed at the end of a record trial (addition A1), and why. */
+export type ProposalView = {
+/** The neuron. */
+neuron: number,
+/** Its mean before, degrees. */
+before: number,
+/** Its mean after, from its prototypical action to the aim, degrees. */
+after: number,
+/** Where it aims. */
+aim: AimView,
+/** Step of the record path that ended there. */
+step: number,
+/** Reinforcement predicted for driving straight there. */
+straight: number,
+/** Utility there; 0 at the goal. */
+utility: number, };
 
 /** A pose to start from. */
 export type StartView = {
