@@ -9,6 +9,7 @@ mod process;
 pub mod render;
 pub mod report;
 pub mod reproduce;
+pub mod rosmap;
 pub mod session;
 pub mod site;
 pub mod store;
@@ -16,6 +17,7 @@ pub mod stream;
 #[cfg(test)]
 mod testing;
 pub mod wire;
+pub mod yardstick;
 
 /// Program version and commit.
 #[must_use]

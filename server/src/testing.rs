@@ -48,7 +48,8 @@ impl House {
 
     fn over(folder: TempDir) -> Self {
         let store = Store::open(folder.path()).expect("a new folder");
-        let catalog = Catalog::load(None).expect("the embedded files");
+        let own_worlds = folder.path().join("worlds");
+        let catalog = Catalog::load(Some(&own_worlds)).expect("the embedded files");
         let lab = Lab::new(catalog, store, 2);
         let app = App { lab, frames: Frames::new(Renderer::start(Backend::Cpu)) };
         Self { app, folder }

@@ -10,7 +10,7 @@ pub struct Memory {
     /// One network a region, in the world's order.
     pub(super) networks: Vec<Network>,
     /// Number of the next neuron.
-    next_neuron: u32,
+    pub(super) next_neuron: u32,
     /// `T(n)` of the present trial, degrees.
     pub(super) temperature_deg: f64,
     /// Best total reinforcement of a successful trial.

@@ -17,6 +17,7 @@
 
 mod algorithm;
 mod annealing;
+mod carry;
 mod critic;
 mod echoes;
 mod exchange;
@@ -27,10 +28,12 @@ mod network;
 mod reward;
 mod settings;
 mod shortcut;
+mod sketch;
 mod stochastic;
 mod trial_end;
 
 pub use algorithm::{Learner, Recall, Silence};
+pub use carry::CarryError;
 pub use exchange::{Consequence, Decision, Observation};
 pub use explanation::*;
 pub use input::{DISTANCE_UNITS, INPUTS, Input, InputSettings, SonarFrame};

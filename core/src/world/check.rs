@@ -9,48 +9,50 @@ use super::segments::Segment;
 
 /// Greatest extent of a world along each axis, metres.
 pub const EXTENT_LIMIT_M: f64 = 200.0;
-/// Most wall surfaces a world may have, edges of blocks included.
+/// Most wall surfaces a world may have, edges of blocks and floor included.
 pub const WALL_LIMIT: usize = 20_000;
 /// Most regions, and most rules in one region.
 pub const REGION_LIMIT: usize = 64;
 
-/// Names, numbers and counts that need no geometry.
-pub(super) fn check_values(file: &WorldFile) -> Result<(), WorldError> {
+/// What is wrong with names and numbers, which need no geometry.
+pub(super) fn values(file: &WorldFile) -> Vec<WorldError> {
+    let mut problems = Vec::new();
     if file.name.is_empty() {
-        return Err(WorldError::Unnamed { field: "name".to_owned() });
+        problems.push(WorldError::Unnamed { field: "name".to_owned() });
     }
-    for (field, value) in [
+    let numbers = [
         ("home.x", file.home.x),
         ("home.y", file.home.y),
         ("home.heading_deg", file.home.heading_deg),
         ("goal.x", file.goal.x),
         ("goal.y", file.goal.y),
         ("goal.radius_m", file.goal.radius_m),
-    ] {
-        finite(field, value)?;
-    }
+    ];
+    problems.extend(numbers.into_iter().filter_map(|(field, value)| finite(field, value).err()));
     if file.goal.radius_m <= 0.0 {
-        return Err(WorldError::GoalRadius { found: file.goal.radius_m });
+        problems.push(WorldError::GoalRadius { found: file.goal.radius_m });
     }
-    Ok(())
+    problems
 }
 
-/// All wall surfaces: the pieces of the walls, then the edges of the blocks.
+/// All wall surfaces: the pieces of the walls, then the edges of the blocks and of the floor.
 pub(super) fn segments(file: &WorldFile) -> Result<Vec<Segment>, WorldError> {
     let mut segments = Vec::new();
     for (index, wall) in file.walls.iter().enumerate() {
         check_points(&format!("walls[{index}]"), wall, 2)?;
         segments.extend(edges(wall));
     }
-    for (index, block) in file.blocks.iter().enumerate() {
-        let field = format!("blocks[{index}]");
-        check_points(&field, block, 3)?;
-        if block.first() == block.last() {
-            let field = format!("{field}[{}]", block.len() - 1);
-            return Err(WorldError::RepeatedPoint { field });
+    for (name, polygons) in [("blocks", &file.blocks), ("floor", &file.floor)] {
+        for (index, polygon) in polygons.iter().enumerate() {
+            let field = format!("{name}[{index}]");
+            check_points(&field, polygon, 3)?;
+            if polygon.first() == polygon.last() {
+                let field = format!("{field}[{}]", polygon.len() - 1);
+                return Err(WorldError::RepeatedPoint { field });
+            }
+            let closed: Vec<_> = polygon.iter().chain(polygon.first()).copied().collect();
+            segments.extend(edges(&closed));
         }
-        let closed: Vec<_> = block.iter().chain(block.first()).copied().collect();
-        segments.extend(edges(&closed));
     }
     if segments.is_empty() {
         return Err(WorldError::NoWalls);

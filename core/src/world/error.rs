@@ -37,7 +37,7 @@ pub enum WorldError {
         field: String,
     },
     /// There is nothing to sense.
-    #[error("`walls` must hold at least one wall, or `blocks` at least one block")]
+    #[error("`walls` must hold at least one wall, or `blocks` or `floor` at least one polygon")]
     NoWalls,
     /// More of something than can be handled.
     #[error("`{field}` must hold at most {limit}, not {found}")]
@@ -138,6 +138,8 @@ pub enum WorldError {
         nearest: [f64; 2],
         /// Its distance from the goal's centre, metres.
         distance_m: f64,
+        /// The goal's centre, metres.
+        goal: [f64; 2],
         /// Radius of the robot, metres.
         radius_m: f64,
     },
@@ -173,6 +175,25 @@ impl WorldError {
             Self::HomeBlocked { .. } => "home".to_owned(),
             Self::GoalUnreachable { .. } => "goal".to_owned(),
             Self::RobotRadius { .. } => "robot_radius_m".to_owned(),
+        }
+    }
+
+    /// The place at fault, to be marked on a plan, metres.
+    #[must_use]
+    pub fn place_m(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::HomeBlocked { x, y, .. } => Some([*x, *y]),
+            Self::GoalUnreachable { goal, .. } => Some(*goal),
+            _ => None,
+        }
+    }
+
+    /// The place nearest to an unreachable goal that can be reached, metres.
+    #[must_use]
+    pub fn nearest_m(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::GoalUnreachable { nearest, .. } => Some(*nearest),
+            _ => None,
         }
     }
 }

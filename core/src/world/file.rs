@@ -20,6 +20,10 @@ pub struct WorldFile {
     /// Closed solid polygons: obstacles, and walls that have a thickness.
     #[serde(default)]
     pub blocks: Vec<Vec<[f64; 2]>>,
+    /// Closed rings that bound the free floor by the even-odd rule, as traced from a map; where there
+    /// are any, everything off the floor is solid.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub floor: Vec<Vec<[f64; 2]>>,
     /// Regions; the first whose rules all hold wins.
     pub regions: Vec<RegionFile>,
     /// Where every trial starts.

@@ -6,24 +6,36 @@
 //! ([`World::region_at`], Algorithm 8 of section 5.6). All coordinates are in the world frame, in
 //! metres.
 
+mod bearing;
 mod check;
+mod dial;
+mod echoes;
 mod error;
 #[cfg(test)]
 pub(crate) mod examples;
 mod file;
+pub mod map;
+mod nearest;
+mod partition;
+mod ray;
 mod reach;
 mod region;
 mod scan;
 mod segments;
+mod tree;
 
 pub use check::{EXTENT_LIMIT_M, REGION_LIMIT, WALL_LIMIT};
 pub use error::WorldError;
 pub use file::{Axis, GoalFile, HomeFile, RegionFile, RuleFile, WorldFile};
+pub use partition::{DEFAULT_REGIONS, propose_regions, way_m};
+pub use ray::Hit;
 pub use region::{HalfPlane, Region};
 pub use scan::{RayFan, RayRing};
-pub use segments::{Hit, Segment};
+pub use segments::Segment;
 
 use crate::geometry::{Pose, Vec2};
+use nearest::{NearestBody, NearestPoint};
+use ray::Ray;
 use segments::Segments;
 
 /// Least radius of a robot that a way to the goal is looked for, metres.
@@ -49,6 +61,7 @@ pub struct World {
     source: String,
     segments: Segments,
     blocks: Vec<Vec<Vec2>>,
+    floor: Vec<Vec<Vec2>>,
     regions: Vec<Region>,
     bounds_m: [f64; 4],
     home: Pose,
@@ -61,17 +74,59 @@ impl World {
     /// # Errors
     /// The first thing wrong, with the field at fault and what would be right.
     pub fn new(file: &WorldFile, robot_radius_m: f64) -> Result<Self, WorldError> {
-        check::check_values(file)?;
+        if let Some(problem) = check::values(file).into_iter().next() {
+            return Err(problem);
+        }
+        let (segments, bounds_m) = Self::surfaces(file)?;
+        let regions = check::regions(file, bounds_m)?;
+        let world = Self::assembled(file, segments, bounds_m, regions);
+        world.check_way(robot_radius_m)?;
+        Ok(world)
+    }
+
+    /// Everything wrong with a file that can be found at once, for people who draw one; nothing when
+    /// [`World::new`] takes it. What hangs on something wrong is not looked at.
+    #[must_use]
+    pub fn problems(file: &WorldFile, robot_radius_m: f64) -> Vec<WorldError> {
+        let mut problems = check::values(file);
+        let (segments, bounds_m) = match Self::surfaces(file) {
+            Ok(found) => found,
+            Err(problem) => {
+                problems.push(problem);
+                return problems;
+            }
+        };
+        // A number that is none has been named already, and has spoilt the bounds.
+        if bounds_m.iter().all(|bound| bound.is_finite()) {
+            problems.extend(check::regions(file, bounds_m).err());
+            if problems.iter().all(|problem| problem.field().starts_with("regions")) {
+                let world = Self::assembled(file, segments, bounds_m, Vec::new());
+                problems.extend(world.check_way(robot_radius_m).err());
+            }
+        }
+        problems
+    }
+
+    fn surfaces(file: &WorldFile) -> Result<(Vec<Segment>, [f64; 4]), WorldError> {
         let segments = check::segments(file)?;
         let bounds_m = check::bounds_m(file, &segments)?;
-        let regions = check::regions(file, bounds_m)?;
-        let world = Self {
+        Ok((segments, bounds_m))
+    }
+
+    fn assembled(
+        file: &WorldFile,
+        segments: Vec<Segment>,
+        bounds_m: [f64; 4],
+        regions: Vec<Region>,
+    ) -> Self {
+        Self {
             name: file.name.clone(),
             title: file.title.clone(),
             summary: file.summary.clone(),
             source: file.source.clone(),
             segments: Segments::new(segments),
-            blocks: file.blocks.iter().map(|block| block.iter().map(point).collect()).collect(),
+            blocks: points(&file.blocks),
+            floor: points(&file.floor),
             regions,
             bounds_m,
             home: Pose::new(file.home.x, file.home.y, file.home.heading_deg.to_radians()),
@@ -79,9 +134,7 @@ impl World {
                 centre: Vec2::new(file.goal.x, file.goal.y),
                 radius_m: file.goal.radius_m,
             },
-        };
-        world.check_way(robot_radius_m)?;
-        Ok(world)
+        }
     }
 
     /// Name, the value of the setting `world`.
@@ -114,7 +167,7 @@ impl World {
         self.bounds_m
     }
 
-    /// All wall surfaces: the pieces of the walls, then the edges of the blocks.
+    /// All wall surfaces: the pieces of the walls, then the edges of the blocks and of the floor.
     #[must_use]
     pub fn walls(&self) -> &[Segment] {
         self.segments.list()
@@ -124,6 +177,13 @@ impl World {
     #[must_use]
     pub fn blocks(&self) -> &[Vec<Vec2>] {
         &self.blocks
+    }
+
+    /// Rings that bound the free floor by the even-odd rule; none where everything but the blocks is
+    /// free.
+    #[must_use]
+    pub fn floor(&self) -> &[Vec<Vec2>] {
+        &self.floor
     }
 
     /// The regions in their fixed order.
@@ -162,27 +222,49 @@ impl World {
         self.goal
     }
 
-    /// Distance from a point to the nearest wall surface, metres; 0 inside a block.
+    /// Distance from a point to the nearest wall surface, metres; 0 inside a block and off the floor.
     #[must_use]
     pub fn clearance_m(&self, point: Vec2) -> f64 {
-        if self.blocks.iter().any(|block| contains(block, point)) {
-            return 0.0;
-        }
-        self.surface_distance_m(point)
+        if self.is_solid(point) { 0.0 } else { self.surface_distance_m(point) }
     }
 
-    /// What a ray meets first within a range in metres; `direction` is a unit vector. A ray that
-    /// runs along a wall does not meet it.
+    /// Whether a point lies inside a block or off the floor.
+    #[must_use]
+    pub fn is_solid(&self, point: Vec2) -> bool {
+        let off_floor = !self.floor.is_empty() && crossings(&self.floor, point) % 2 == 0;
+        off_floor || self.blocks.iter().any(|block| crossings([block], point) % 2 == 1)
+    }
+
+    /// What a ray meets first within a range in metres, the first in [`World::walls`] of equals;
+    /// `direction` is a unit vector. A ray that runs along a wall, or starts on it, does not meet it.
     #[must_use]
     pub fn nearest_m(&self, origin: Vec2, direction: Vec2, range_m: f64) -> Option<Hit> {
-        self.segments.nearest(origin, direction, range_m)
+        let mut ray = Ray::new(origin, direction, range_m);
+        self.segments.tree().walk(&mut ray);
+        ray.hit(self.walls())
     }
 
     /// Distance from a point to the nearest wall surface, metres, also from inside a block. Faster
     /// than [`World::clearance_m`], and the same for a body that never crosses a surface.
     #[must_use]
     pub(crate) fn surface_distance_m(&self, point: Vec2) -> f64 {
-        self.segments.distance_m(point)
+        let mut nearest = NearestPoint::new(point);
+        self.segments.tree().walk(&mut nearest);
+        nearest.distance_m()
+    }
+
+    /// The least of a measure of wall surfaces, metres, that is at least their distance from a point
+    /// less a reach in metres: how far a body is from them.
+    #[must_use]
+    pub(crate) fn nearest_to_body_m(
+        &self,
+        point: Vec2,
+        reach_m: f64,
+        measure_m: impl Fn(Segment) -> f64,
+    ) -> f64 {
+        let mut nearest = NearestBody::new(point, reach_m, measure_m);
+        self.segments.tree().walk(&mut nearest);
+        nearest.least_m
     }
 
     /// Whether the robot fits at home and can drive to the goal.
@@ -211,22 +293,24 @@ impl World {
         }
         let point = [nearest.point.x, nearest.point.y];
         let distance_m = nearest.distance_m;
-        Err(WorldError::GoalUnreachable { nearest: point, distance_m, radius_m })
+        let goal = [goal.centre.x, goal.centre.y];
+        Err(WorldError::GoalUnreachable { nearest: point, distance_m, goal, radius_m })
     }
 }
 
-fn point(&[x, y]: &[f64; 2]) -> Vec2 {
-    Vec2::new(x, y)
+fn points(polygons: &[Vec<[f64; 2]>]) -> Vec<Vec<Vec2>> {
+    polygons.iter().map(|polygon| polygon.iter().copied().map(Vec2::from).collect()).collect()
 }
 
-/// Whether a point lies inside a simple polygon (even-odd rule).
-fn contains(polygon: &[Vec2], point: Vec2) -> bool {
-    let edges = polygon.iter().zip(polygon.iter().cycle().skip(1));
-    let crossings = edges.filter(|(a, b)| {
+/// How many edges of closed polygons a ray from a point to the right crosses; odd inside (even-odd
+/// rule).
+fn crossings<'a>(polygons: impl IntoIterator<Item = &'a Vec<Vec2>>, point: Vec2) -> usize {
+    let edges = polygons.into_iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
+    let crossed = edges.filter(|(a, b)| {
         (a.y > point.y) != (b.y > point.y)
             && point.x < a.x + (b.x - a.x) * ((point.y - a.y) / (b.y - a.y))
     });
-    crossings.count() % 2 == 1
+    crossed.count()
 }
 
 #[cfg(test)]

@@ -133,7 +133,7 @@ fn rule(text: &str) -> RuleFile {
 
 #[test]
 fn every_refusal_names_the_field_at_fault() {
-    let faults: [(&str, Change); 27] = [
+    let faults: [(&str, Change); 30] = [
         ("name", |file| file.name.clear()),
         ("walls", |file| (file.walls, file.blocks) = (Vec::new(), Vec::new())),
         ("walls[1]", |file| file.walls[1].truncate(1)),
@@ -146,6 +146,9 @@ fn every_refusal_names_the_field_at_fault() {
         ("blocks[0]", |file| file.blocks[0].truncate(2)),
         ("blocks[1][0][0]", |file| file.blocks[1][0][0] = f64::INFINITY),
         ("blocks[0][4]", |file| file.blocks[0].push([3.5, 0.3])),
+        ("floor[0]", |file| file.floor.push(vec![[0.0, 0.0], [1.0, 0.0]])),
+        ("floor[0][1][0]", |file| file.floor.push(vec![[0.0, 0.0], [f64::NAN, 0.0], [1.0, 1.0]])),
+        ("home", |file| file.floor.push(vec![[3.8, -3.0], [5.0, -3.0], [5.0, 2.0], [3.8, 2.0]])),
         ("regions", |file| file.regions.clear()),
         ("regions", |file| file.regions.truncate(3)),
         ("regions", |file| file.regions = vec![file.regions[0].clone(); 65]),
@@ -184,6 +187,7 @@ fn a_closed_door_is_refused_with_the_place_nearest_to_the_goal() {
     // The corner of the room nearest to the goal, a robot's radius off the walls.
     assert!((nearest[0] - 3.235).abs() < 0.06 && (nearest[1] + 2.0).abs() < 0.06, "{nearest:?}");
     assert!((distance_m - 0.8).abs() < 0.07);
+    assert_eq!((error.place_m(), error.nearest_m()), (Some([4.0, -2.0]), Some(nearest)));
     assert!(error.to_string().contains("nearest point it can reach is (3.2"), "{error}");
 }
 
@@ -209,4 +213,38 @@ fn the_way_round_the_outside_counts() {
     file.walls = vec![vec![[1.0, -2.0], [1.0, 2.0]]];
     file.goal = GoalFile { x: 2.0, y: 0.0, radius_m: 0.2 };
     assert!(World::new(&file, RADIUS_M).is_ok());
+}
+
+#[test]
+fn everything_off_the_floor_is_solid() {
+    let mut file = room_file(8.0, 8.0);
+    let square = |half: f64| vec![[-half, -half], [half, -half], [half, half], [-half, half]];
+    (file.walls, file.floor) = (Vec::new(), vec![square(3.0), square(1.0)]);
+    (file.home.x, file.goal.x) = (-2.0, 2.0);
+    let ring = world(&file);
+    assert_eq!(ring.walls().len(), 8);
+    for (x, expected) in [(2.0, 1.0), (-1.25, 0.25), (0.0, 0.0), (3.5, 0.0)] {
+        assert_eq!(ring.clearance_m(Vec2::new(x, 0.0)), expected, "{x}");
+    }
+    file.home.x = 0.5;
+    let error = World::new(&file, RADIUS_M).expect_err("home is in the pillar");
+    assert_eq!((error.field().as_str(), error.place_m()), ("home", Some([0.5, 0.0])));
+}
+
+#[test]
+fn all_problems_are_found_at_once() {
+    let mut file = laboratory_file();
+    assert_eq!(World::problems(&file, RADIUS_M), []);
+    file.name.clear();
+    file.home.x = f64::NAN;
+    file.goal.radius_m = -1.0;
+    file.walls[1].truncate(1);
+    let fields = |file: &WorldFile| -> Vec<String> {
+        World::problems(file, RADIUS_M).iter().map(WorldError::field).collect()
+    };
+    assert_eq!(fields(&file), ["name", "home.x", "goal.radius_m", "walls[1]"]);
+    let mut file = laboratory_file();
+    file.regions[0].rules[0].above = Some(9.0);
+    file.goal.y = -9.0;
+    assert_eq!(fields(&file), ["regions[0]", "goal"]);
 }

@@ -19,7 +19,7 @@ use crate::wire::{ExperimentInfo, Problem, ThemeName};
 #[utoipa::path(get, path = "/experiments", tag = "experiments",
     responses((status = 200, body = [ExperimentInfo])))]
 pub(super) async fn list(State(app): State<App>) -> Json<Vec<ExperimentInfo>> {
-    Json(app.lab.catalog().experiments().to_vec())
+    Json(app.lab.catalog().experiments())
 }
 
 /// One experiment
@@ -74,6 +74,6 @@ pub(super) async fn picture(
 }
 
 fn find(app: &App, name: &str) -> Result<ExperimentInfo, Failure> {
-    let found = app.lab.catalog().experiment(name);
-    found.cloned().ok_or_else(|| Failure::not_found(format!("there is no experiment `{name}`")))
+    let found = app.lab.catalog().experiments().into_iter().find(|info| info.name == name);
+    found.ok_or_else(|| Failure::not_found(format!("there is no experiment `{name}`")))
 }

@@ -4,9 +4,10 @@ use axum::body::Bytes;
 use axum::extract::rejection::{BytesRejection, FailedToBufferBody, PathRejection};
 use axum::extract::{FromRequest, FromRequestParts, Request};
 use axum::http::request::Parts;
-use axum::http::{StatusCode, header};
+use axum::http::{HeaderMap, StatusCode, header};
 use serde::de::DeserializeOwned;
 
+use super::guard::largest_body;
 use super::problem::Failure;
 
 /// A JSON body.
@@ -16,8 +17,8 @@ impl<S: Send + Sync, T: DeserializeOwned> FromRequest<S> for Body<T> {
     type Rejection = Failure;
 
     async fn from_request(request: Request, state: &S) -> Result<Self, Failure> {
-        check_content_type(&request)?;
-        let bytes = Bytes::from_request(request, state).await.map_err(unreadable_body)?;
+        check_json(request.headers())?;
+        let bytes = bytes(request, state).await?;
         parse(&bytes).map(Self)
     }
 }
@@ -29,8 +30,8 @@ impl<S: Send + Sync, T: DeserializeOwned + Default> FromRequest<S> for OptionalB
     type Rejection = Failure;
 
     async fn from_request(request: Request, state: &S) -> Result<Self, Failure> {
-        let checked = check_content_type(&request);
-        let bytes = Bytes::from_request(request, state).await.map_err(unreadable_body)?;
+        let checked = check_json(request.headers());
+        let bytes = bytes(request, state).await?;
         if bytes.is_empty() || bytes.as_ref() == b"null" {
             return Ok(Self(T::default()));
         }
@@ -74,24 +75,29 @@ impl<S: Send + Sync, T: DeserializeOwned> FromRequestParts<S> for Query<T> {
     }
 }
 
-fn check_content_type(request: &Request) -> Result<(), Failure> {
-    let given = request.headers().get(header::CONTENT_TYPE).and_then(|value| value.to_str().ok());
-    let media = given.and_then(|value| value.split(';').next()).unwrap_or_default().trim();
-    if media.eq_ignore_ascii_case("application/json") {
+/// The kind of a body, without its parameters.
+pub(super) fn media_type(headers: &HeaderMap) -> &str {
+    let given = headers.get(header::CONTENT_TYPE).and_then(|value| value.to_str().ok());
+    given.and_then(|value| value.split(';').next()).unwrap_or_default().trim()
+}
+
+/// Refuses a body that is not announced as JSON; a browser asks before it sends one elsewhere.
+pub(super) fn check_json(headers: &HeaderMap) -> Result<(), Failure> {
+    let found = media_type(headers);
+    if found.eq_ignore_ascii_case("application/json") {
         return Ok(());
     }
+    let found = if found.is_empty() { "nothing" } else { found };
     Err(Failure::new(
         StatusCode::UNSUPPORTED_MEDIA_TYPE,
         "unsupported-media-type",
         "The body must be JSON",
-        format!(
-            "send the body with `content-type: application/json`, not `{}`",
-            given.unwrap_or("nothing")
-        ),
+        format!("send the body with `content-type: application/json`, not `{found}`"),
     ))
 }
 
-fn parse<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Failure> {
+/// Reads a JSON object.
+pub(super) fn parse<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Failure> {
     // A list would be read as the fields in their order, which nobody means.
     if bytes.trim_ascii_start().first() == Some(&b'[') {
         return Err(Failure::unreadable("the body must be a JSON object, not a list"));
@@ -153,21 +159,38 @@ fn named(failure: Failure, field: Option<String>) -> Failure {
     }
 }
 
-fn unreadable_body(rejection: BytesRejection) -> Failure {
-    if let BytesRejection::FailedToBufferBody(FailedToBufferBody::LengthLimitError(_)) = &rejection
-    {
-        return too_large();
+/// A body as it came.
+pub(super) struct Raw(pub(super) Bytes);
+
+impl<S: Send + Sync> FromRequest<S> for Raw {
+    type Rejection = Failure;
+
+    async fn from_request(request: Request, state: &S) -> Result<Self, Failure> {
+        bytes(request, state).await.map(Self)
+    }
+}
+
+/// A body up to the limit of its route.
+async fn bytes<S: Send + Sync>(request: Request, state: &S) -> Result<Bytes, Failure> {
+    let limit = largest_body(request.uri().path());
+    let bytes = Bytes::from_request(request, state).await;
+    bytes.map_err(|rejection| unreadable_body(&rejection, limit))
+}
+
+fn unreadable_body(rejection: &BytesRejection, limit: usize) -> Failure {
+    if let BytesRejection::FailedToBufferBody(FailedToBufferBody::LengthLimitError(_)) = rejection {
+        return too_large(limit);
     }
     Failure::unreadable(rejection.body_text())
 }
 
-/// A body over the limit.
+/// A body over a limit in bytes.
 #[must_use]
-pub(super) fn too_large() -> Failure {
+pub(super) fn too_large(limit: usize) -> Failure {
     Failure::new(
         StatusCode::PAYLOAD_TOO_LARGE,
         "too-large",
         "The body is too large",
-        "a body may have at most 1 MiB",
+        format!("a body may have at most {} MiB here", limit >> 20),
     )
 }

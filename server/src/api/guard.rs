@@ -9,6 +9,7 @@ use axum::response::{IntoResponse, Response};
 use super::LARGEST_BODY;
 use super::extract::too_large;
 use super::problem::Failure;
+use super::worlds::LARGEST_WORLD;
 
 /// Refuses foreign host names, so that a page elsewhere cannot make its own name point here (DNS
 /// rebinding). A request without `Host` does not come from a browser.
@@ -33,16 +34,24 @@ const LARGEST_HEARD: usize = 8 * LARGEST_BODY;
 /// Refuses a body that says it is too large. Most clients listen only after they have sent all, so a
 /// moderate one is heard out; a huge one is cut off.
 pub(super) async fn body_size(request: Request, next: Next) -> Response {
+    let limit = largest_body(request.uri().path());
     let length = request.headers().get(header::CONTENT_LENGTH);
     let length = length.and_then(|value| value.to_str().ok()?.parse::<u64>().ok());
-    if length.is_some_and(|length| length > LARGEST_BODY as u64) {
+    if length.is_some_and(|length| length > limit as u64) {
         if length.is_some_and(|length| length <= LARGEST_HEARD as u64) {
             // A client that goes away in between needs no answer.
             let _ = to_bytes(request.into_body(), LARGEST_HEARD).await;
         }
-        return too_large().into_response();
+        return too_large(limit).into_response();
     }
     next.run(request).await
+}
+
+/// Largest body that a path takes, bytes, with or without the root of the interface. Maps and worlds
+/// traced from them are larger than all else.
+pub(super) fn largest_body(path: &str) -> usize {
+    let path = path.strip_prefix("/api/v1").unwrap_or(path);
+    if path.starts_with("/worlds/") { LARGEST_WORLD } else { LARGEST_BODY }
 }
 
 /// Refuses changes that a page of another origin asks for; a browser would send them.

@@ -15,6 +15,8 @@ mod starts;
 mod status;
 mod stream;
 mod ticks;
+mod traces;
+mod worlds;
 
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,7 @@
 //! The document that describes the interface, and the page that shows it.
 
 use axum::Router;
+use axum::extract::DefaultBodyLimit;
 use utoipa::OpenApi;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -8,6 +9,7 @@ use utoipa_swagger_ui::SwaggerUi;
 
 use super::{
     App, arena, controls, experiments, files, reproductions, sessions, starts, stream, ticks,
+    traces, worlds,
 };
 
 #[derive(OpenApi)]
@@ -47,6 +49,7 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(ticks::neurons))
         .routes(routes!(ticks::neuron))
         .routes(routes!(arena::picture))
+        .routes(routes!(sessions::network))
         .routes(routes!(starts::list))
         .routes(routes!(starts::picture))
         .routes(routes!(files::log))
@@ -59,6 +62,19 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(reproductions::curves))
         .routes(routes!(reproductions::picture))
         .routes(routes!(stream::open))
+        .merge(world_routes())
+}
+
+/// Routes whose bodies may carry a world or a map.
+fn world_routes() -> OpenApiRouter<App> {
+    OpenApiRouter::new()
+        .routes(routes!(worlds::list))
+        .routes(routes!(worlds::one, worlds::save, worlds::delete))
+        .routes(routes!(worlds::check))
+        .routes(routes!(worlds::regions))
+        .routes(routes!(worlds::picture))
+        .routes(routes!(traces::create))
+        .layer(DefaultBodyLimit::max(worlds::LARGEST_WORLD))
 }
 
 /// The document at `/api/openapi.json` and its page at `/api/docs`.

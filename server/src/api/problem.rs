@@ -16,7 +16,7 @@ use crate::store::StoreError;
 use crate::wire::Problem;
 
 /// What every handler fails with.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Failure(pub Problem);
 
 impl Failure {
@@ -29,6 +29,7 @@ impl Failure {
             status: status.as_u16(),
             detail: detail.into(),
             field: None,
+            place: None,
         })
     }
 

@@ -1,6 +1,7 @@
 //! What can be run: experiments, robots, presets and worlds, and how a request becomes full settings.
 
 mod experiments;
+mod network;
 mod plan;
 mod presets;
 mod robots;
@@ -9,11 +10,15 @@ mod values;
 mod worlds;
 
 pub use experiments::Experiment;
+pub use network::Trained;
 pub use plan::{FieldError, Plan, speed as check_speed};
 pub use presets::Preset;
 pub use starts::starts_from_text;
 pub use values::{flatten, from_text};
-pub use worlds::{DEFAULT_WORLD, NamedWorld, Worlds};
+pub use worlds::{
+    BrokenWorld, DEFAULT_WORLD, NamedWorld, Worlds, WorldsError, parse as parse_world,
+    read as read_world, region_shapes, robot_radius_m, to_toml, world_name,
+};
 
 use std::path::Path;
 
@@ -21,6 +26,8 @@ use crate::wire::ExperimentInfo;
 
 /// Chapter 5 on the B21.
 pub const MINIMUM_COST_PATH: &str = "minimum-cost-path";
+/// The experiment of section 5.11's simulation.
+pub const MINIMUM_COST_PATH_TRC: &str = "minimum-cost-path-trc";
 /// Most trials a session may have.
 pub const MAX_TRIALS: u32 = 100_000;
 /// Trials of a session unless told otherwise: the set of section 5.10.
@@ -57,13 +64,13 @@ impl Catalog {
         Ok(Self { worlds, experiments, infos })
     }
 
-    /// All experiments.
+    /// All experiments, with the worlds that there are now.
     #[must_use]
-    pub fn experiments(&self) -> &[ExperimentInfo] {
-        &self.infos
+    pub fn experiments(&self) -> Vec<ExperimentInfo> {
+        self.experiments.iter().map(|experiment| experiment.info(&self.worlds)).collect()
     }
 
-    /// An experiment by name, as a user sees it.
+    /// An experiment by name, as a user sees it, with the worlds that there were when the program started.
     #[must_use]
     pub fn experiment(&self, name: &str) -> Option<&ExperimentInfo> {
         self.infos.iter().find(|experiment| experiment.name == name)
@@ -73,5 +80,10 @@ impl Catalog {
     #[must_use]
     pub fn worlds(&self) -> &Worlds {
         &self.worlds
+    }
+
+    /// Adds a world for this run, before all others of its name.
+    pub fn give_world(&mut self, world: NamedWorld) {
+        self.worlds.give(world);
     }
 }

@@ -9,11 +9,13 @@ mod output;
 mod reproduce;
 mod run;
 mod serve;
+mod world;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use sonarium_core::world::WorldError;
 use tracing_subscriber::EnvFilter;
 
 use crate::catalog::{CatalogError, FieldError};
@@ -40,6 +42,8 @@ enum Command {
     Reproduce(reproduce::Arguments),
     /// List the experiments with their settings
     Experiments(experiments::Arguments),
+    /// Trace a world from a map, or check one
+    World(world::Arguments),
     /// Measure speed and memory
     Bench(bench::Arguments),
 }
@@ -70,6 +74,7 @@ pub fn main() -> ExitCode {
         Some(Command::Run(arguments)) => run::run(&arguments),
         Some(Command::Reproduce(arguments)) => reproduce::reproduce(&arguments),
         Some(Command::Experiments(arguments)) => experiments::list(&arguments),
+        Some(Command::World(arguments)) => world::world(&arguments),
         Some(Command::Bench(arguments)) => bench::bench(&arguments),
     };
     match result {
@@ -96,6 +101,12 @@ fn cores() -> usize {
 impl From<FieldError> for Failure {
     fn from(error: FieldError) -> Self {
         Self::Input(error.to_string())
+    }
+}
+
+impl From<WorldError> for Failure {
+    fn from(error: WorldError) -> Self {
+        Self::Failed(error.to_string())
     }
 }
 

@@ -1,7 +1,7 @@
 //! `sonarium run`.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::Args;
@@ -9,12 +9,13 @@ use indicatif::ProgressBar;
 use serde::Deserialize;
 use serde_json::Value as Json;
 
-use super::{Failure, cores, default_data, output};
+use super::{Failure, cores, default_data, output, world};
 use crate::batch;
-use crate::catalog::{Catalog, FieldError, Plan, flatten, from_text, starts_from_text};
+use crate::catalog::{Catalog, FieldError, Plan, Trained, flatten, from_text, starts_from_text};
 use crate::session::{Run, check_starts};
 use crate::wire::{NewSession, RunResult};
 
+mod network;
 mod recorded;
 
 /// Most seeds in one call.
@@ -39,10 +40,21 @@ pub(super) struct Arguments {
     /// Trials, 1 to 100000
     #[arg(long)]
     trials: Option<u32>,
+    /// World of this run: a TOML file, or the YAML file of a ROS map; `--set world=NAME` takes one by name
+    #[arg(long, value_name = "FILE")]
+    world: Option<PathBuf>,
+    #[command(flatten)]
+    placing: world::Placing,
     /// Pose to start the trained networks from afterwards, x and y in metres and heading in degrees, e.g.
     /// --start 1,0.5,90; may be given again. When missing, those of the experiment, if it has any
     #[arg(long, value_name = "X,Y,DEG", allow_hyphen_values = true)]
     start: Vec<String>,
+    /// File of trained networks to begin with instead of empty ones
+    #[arg(long, value_name = "FILE")]
+    network: Option<PathBuf>,
+    /// File to write the trained networks to; with several seeds its name must hold {seed}
+    #[arg(long, value_name = "FILE")]
+    save_network: Option<String>,
     /// Folder for logs and reports; `sonarium serve --data DIR` shows them
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -53,8 +65,12 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let own_worlds = arguments.out.clone().unwrap_or_else(default_data).join("worlds");
-    let catalog = Catalog::load(Some(&own_worlds))?;
-    let requests = requests(arguments)?;
+    let mut catalog = Catalog::load(Some(&own_worlds))?;
+    let mut requests = requests(arguments)?;
+    match &arguments.world {
+        Some(file) => give_world(&mut catalog, &mut requests, file, &arguments.placing)?,
+        None => arguments.placing.refuse_without_world()?,
+    }
     let mut plans: Vec<Plan> = requests
         .iter()
         .map(|request| catalog.resolve(request))
@@ -68,14 +84,36 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Run::new(plan)?;
         check_starts(plan, &plan.starts)?;
     }
+    let save = network::Target::new(arguments.save_network.as_deref(), plans.len())?;
     let trials = plans.iter().map(|plan| u64::from(plan.trials)).sum();
     let progress = output::progress(trials, "trials");
-    let print = |result: RunResult| progress.suspend(|| print(&result, arguments.json));
+    let take = |result: RunResult, network: &Trained| {
+        save.as_ref().map_or(Ok(()), |save| save.write(network))?;
+        progress.suspend(|| print(&result, arguments.json))
+    };
     match &arguments.out {
-        Some(folder) => recorded::run(catalog, &requests, &plans, folder, &progress, print)?,
-        None => run_all(&plans, &progress, print)?,
+        Some(folder) => recorded::run(catalog, &requests, &plans, folder, &progress, take)?,
+        None => run_all(&plans, &progress, take)?,
     }
     progress.finish_and_clear();
+    Ok(())
+}
+
+/// Takes the world of a file for these runs, whatever else has its name.
+fn give_world(
+    catalog: &mut Catalog,
+    requests: &mut [NewSession],
+    file: &Path,
+    placing: &world::Placing,
+) -> Result<(), Failure> {
+    let world = world::read(file, placing)?.checked(file)?;
+    for request in requests {
+        let chosen = request.settings.insert("world".to_owned(), world.name.clone().into());
+        if chosen.is_some() {
+            return Err(Failure::Input("give either --world or --set world=NAME".to_owned()));
+        }
+    }
+    catalog.give_world(world);
     Ok(())
 }
 
@@ -87,10 +125,13 @@ fn print(result: &RunResult, json: bool) -> Result<(), Failure> {
 fn run_all(
     plans: &[Plan],
     progress: &ProgressBar,
-    mut take: impl FnMut(RunResult) -> Result<(), Failure>,
+    mut take: impl FnMut(RunResult, &Trained) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let work = |plan: &Plan| batch::set(plan, || progress.inc(1));
-    batch::in_order(plans, cores(), work, |result| take(result?))
+    let work = |plan: &Plan| batch::trained_set(plan, || progress.inc(1));
+    batch::in_order(plans, cores(), work, |done| {
+        let (result, network) = done?;
+        take(result, &network)
+    })
 }
 
 /// What a configuration file says.
@@ -108,12 +149,14 @@ fn requests(arguments: &Arguments) -> Result<Vec<NewSession>, Failure> {
     let config = arguments.config.as_ref().map(read_config).transpose()?.unwrap_or_default();
     let mut settings = flatten(config.settings);
     settings.extend(arguments.set.iter().map(|set| (set.key.clone(), set.value.clone())));
+    let network = arguments.network.as_deref().map(network::read).transpose()?;
     let request = |seed| NewSession {
         experiment: arguments.experiment.clone(),
         seed,
         settings: settings.clone(),
         trials: arguments.trials.or(config.trials),
         speed: None,
+        network: network.clone(),
     };
     Ok(match arguments.seeds {
         Some(Seeds { first, last }) => (first..=last).map(|seed| request(Some(seed))).collect(),

@@ -15,8 +15,13 @@ pub(super) fn repeat_command(report: &SessionReport) -> String {
     let (seed, trials) = (session.seed, session.trials);
     let run = format!("sonarium run {} --seed {seed} --trials {trials}", word(&session.experiment));
     let mut lines = vec![run, set("preset", &session.preset), set("world", &session.world)];
+    if session.settings.contains_key("network") {
+        // The zip holds the file under this name.
+        lines.push("--network network.json".to_owned());
+    }
     for (key, value) in &session.settings {
-        if key != "preset" && key != "world" && !preset_gives(report, key, value) {
+        let named = matches!(key.as_str(), "preset" | "world" | "network");
+        if !named && !preset_gives(report, key, value) {
             lines.push(set(key, &value_text(value)));
         }
     }

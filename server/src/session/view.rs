@@ -111,6 +111,7 @@ impl Names {
             record: record.record,
             temperature_deg: record.temperature_deg,
             path_m: record.path_m,
+            regret: None,
             region_steps: regions.map(|(index, steps)| (self.region(index), *steps)).collect(),
             first_tick: record.first_tick,
             last_tick: record.last_tick,

@@ -7,6 +7,8 @@ use serde_json::Value;
 use ts_rs::TS;
 use utoipa::ToSchema;
 
+use super::PlaceView;
+
 /// The state of a session. It is never a lie: after a crash it reads `interrupted`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS, ToSchema)]
 #[serde(rename_all = "lowercase")]
@@ -72,6 +74,22 @@ pub struct NewSession {
     #[serde(default)]
     #[ts(optional)]
     pub speed: Option<Speed>,
+    /// Trained networks to begin with instead of empty ones: a network file, or the identifier of a
+    /// session, whose networks are taken as its last finished trial left them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[ts(optional, type = "string | NetworkFile")]
+    #[schema(value_type = Option<NetworkSource>)]
+    pub network: Option<Value>,
+}
+
+/// Where trained networks come from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(untagged)]
+pub enum NetworkSource {
+    /// A session's identifier.
+    Session(String),
+    /// A network file.
+    File(Box<super::NetworkFile>),
 }
 
 /// A session.
@@ -185,6 +203,10 @@ pub struct Trial {
     pub temperature_deg: f64,
     /// Length of the true path, metres.
     pub path_m: f64,
+    /// Regret R* − R(n): what the best path that a planner finds would have earned more. None when the
+    /// goal was not reached, no way was planned, or planning is not done yet; never in the log.
+    #[serde(default)]
+    pub regret: Option<f64>,
     /// Steps taken in each region, by the region's name.
     pub region_steps: BTreeMap<String, u32>,
     /// First tick.
@@ -208,6 +230,15 @@ pub struct Summary {
     pub last_steps: Option<u32>,
     /// Total reinforcement of the last trial.
     pub last_total_reinforcement: Option<f64>,
+    /// Total reinforcement R* of the best path that a planner finds; none when it finds no way.
+    #[serde(default)]
+    pub planned_total_reinforcement: Option<f64>,
+    /// Regret of the last trial, R* − R(n); none when it did not reach the goal.
+    #[serde(default)]
+    pub last_regret: Option<f64>,
+    /// The same in percent of R*; none when the best path costs nothing.
+    #[serde(default)]
+    pub last_regret_pct: Option<f64>,
     /// Neurons after the last trial.
     pub neurons: u32,
     /// Collisions over all trials.
@@ -239,7 +270,7 @@ pub struct RunResult {
 }
 
 /// RFC 9457 problem details.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS, ToSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
 pub struct Problem {
     /// What kind of problem, as a relative reference, e.g. `/problems/out-of-range`.
     #[serde(rename = "type")]
@@ -252,4 +283,8 @@ pub struct Problem {
     pub detail: String,
     /// The field at fault, e.g. `settings.sonar.noise`.
     pub field: Option<String>,
+    /// The place at fault in a world.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[ts(optional)]
+    pub place: Option<PlaceView>,
 }

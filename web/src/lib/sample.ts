@@ -91,6 +91,7 @@ export function sampleTrial(trial: number, changes: Partial<Trial> = {}): Trial 
     record: false,
     temperature_deg: 10,
     path_m: 5.4,
+    regret: null,
     region_steps: {},
     first_tick: 1,
     last_tick: 27,
