@@ -58,3 +58,10 @@ export function fieldWords(field: string): string {
     .replace('.', ', ');
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
+
+/** What is wrong with its field before it, unless the words name the field themselves. */
+export function told(field: string | null, detail: string): string {
+  return !field || detail.includes(`\`${field}`)
+    ? plain(detail)
+    : `${fieldWords(field)}: ${detail.replace(/`/g, '')}`;
+}
