@@ -170,7 +170,7 @@ fn trials_csv_reads_back_to_the_same_bits() {
     let text = csv(&report);
     let table = cells(&text);
     assert_eq!(table.len(), 1 + 20);
-    assert!(table.iter().all(|row| row.len() == 15 + 4), "15 columns and 4 regions");
+    assert!(table.iter().all(|row| row.len() == 16 + 4), "16 columns and 4 regions");
     let columns: [Column<Trial>; 5] = [
         ("temperature_deg", |t| t.temperature_deg),
         ("total_reinforcement", |t| t.total_reinforcement),
@@ -237,7 +237,7 @@ fn session_json_starts_with_the_contract_and_keeps_all_bits() {
     assert_eq!(value["format_version"], FORMAT_VERSION);
     assert_eq!(value["events"].as_array().map(Vec::len), Some(4));
     assert_eq!(value["settings_info"].as_array().map(Vec::len), Some(10));
-    assert_eq!(value["differences"]["additions"][0]["key"], "band.proposal");
+    assert_eq!(value["differences"]["additions"][0]["key"], "shortcut.push");
 }
 
 #[test]

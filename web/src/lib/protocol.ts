@@ -107,7 +107,10 @@ settings?: Record<string, number | string | boolean>,
 /** Number of trials. */
 trials?: number,
 /** Pace; 30 ticks a second when missing. */
-speed?: Speed, };
+speed?: Speed,
+/** Trained networks to begin with instead of empty ones: a network file, or the identifier of a
+ * session, whose networks are taken as its last finished trial left them. */
+network?: string | NetworkFile, };
 
 /** A session. */
 export type Session = {
@@ -254,7 +257,9 @@ status: number,
 /** What is wrong here, and what would be right. */
 detail: string,
 /** The field at fault, e.g. `settings.sonar.noise`. */
-field: string | null, };
+field: string | null,
+/** The place at fault in a world. */
+place?: PlaceView, };
 
 /** Position and heading. */
 export type PoseView = {
@@ -511,6 +516,58 @@ collisions: number,
 silent_pct: number,
 /** True positions, metres, the start first; left out of `run --json`. */
 path_m?: Array<[number, number]>, };
+
+/** Trained networks with everything that decides where they can be used. */
+export type NetworkFile = {
+/** `sonarium-network`. */
+format: string,
+/** [`NETWORK_VERSION`]. */
+version: number,
+/** Program version and commit that trained them. */
+build: string,
+/** Experiment they were trained in. */
+experiment: string,
+/** Robot they were trained on. */
+robot: string,
+/** Its sonars, in the order of the inputs. */
+sonars: Array<SonarView>,
+/** How readings became inputs. */
+input: InputSpans,
+/** Frame of the prototypical actions: `heading`, `rotation` or `goal`. */
+action_frame: string,
+/** World they were trained in. */
+world: string,
+/** Regions of that world, one network each; `all` when there was one network for all. */
+regions: Array<string>,
+/** Goal they were trained for. */
+goal: GoalView,
+/** Every setting of the training. */
+settings: Record<string, number | string | boolean>,
+/** Seed of the training. */
+seed: number,
+/** Trials of the training. */
+trials: number,
+/** The neurons of each network, in the order of the regions. Angles are radians where the name says
+ * so, since a file must give back every bit. */
+networks: unknown[][], };
+
+/** How readings became inputs. */
+export type InputSpans = {
+/** Sonar reading that becomes 1, metres. */
+sonar_span_m: number,
+/** Distance to the goal that becomes 1, metres. */
+distance_span_m: number,
+/** Frame of the sonars: `robot` or `odometry`. */
+sonar_frame: string, };
+
+/** A goal. */
+export type GoalView = {
+/** Metres. */
+x_m: number,
+/** Metres. */
+y_m: number,
+/** Metres. */
+radius_m: number, };
 
 /** A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`);
  * `tick`, `depths` and `neurons` are samples of the present and repeat the number of the last event.
@@ -794,3 +851,203 @@ arm: string,
 caption: string,
 /** What is to be seen, for those who cannot see it. */
 alt: string, };
+
+/** A world as its file says it. Lengths in metres, angles in degrees. */
+export type WorldFile = {
+/** Name, the value of the setting `world`. */
+name: string,
+/** Title for people. */
+title: string,
+/** One sentence on what the world is like. */
+summary: string,
+/** Where it comes from. */
+source: string,
+/** Open polylines, each a list of points `[x, y]`. */
+walls: Array<Array<[number, number]>>,
+/** Closed solid polygons. */
+blocks: Array<Array<[number, number]>>,
+/** Closed rings that bound the free floor by the even-odd rule; where there are any, everything off
+ * the floor is solid. */
+floor: Array<Array<[number, number]>>,
+/** Regions; the first whose rules all hold wins, and the last has none. */
+regions: Array<WorldRegion>,
+/** Where every trial starts. */
+home: WorldHome,
+/** Where every trial should end. */
+goal: WorldGoal, };
+
+/** A named region. */
+export type WorldRegion = {
+/** Name, e.g. "corridor". */
+name: string,
+/** Rules that must all hold; none means everywhere else. */
+rules: Array<WorldRule>, };
+
+/** A half-plane: `axis` (or `a` and `b`, for `a·x + b·y`) with exactly one of `above` and `below`. */
+export type WorldRule = {
+/** `x` or `y`. */
+axis?: AxisName,
+/** Factor of x. */
+a?: number,
+/** Factor of y. */
+b?: number,
+/** Must be greater than this. */
+above?: number,
+/** Must be less than this. */
+below?: number, };
+
+/** A coordinate axis. */
+export type AxisName = "x" | "y";
+
+/** Where every trial starts. */
+export type WorldHome = {
+/** Metres. */
+x: number,
+/** Metres. */
+y: number,
+/** Degrees from the x axis, counter-clockwise. */
+heading_deg: number, };
+
+/** Where every trial should end. */
+export type WorldGoal = {
+/** Metres. */
+x: number,
+/** Metres. */
+y: number,
+/** The goal is reached when the robot's centre is nearer than this, metres. */
+radius_m: number, };
+
+/** A place in the world. */
+export type PlaceView = {
+/** Metres. */
+x_m: number,
+/** Metres. */
+y_m: number, };
+
+/** Something wrong with a world. */
+export type WorldProblem = {
+/** The field at fault, e.g. `home` or `regions[1].rules[0]`. */
+field: string,
+/** What is wrong, and what would be right. */
+message: string,
+/** The place at fault: a home in a wall, a goal that cannot be reached. */
+place: PlaceView | null,
+/** The reachable place nearest to an unreachable goal. */
+nearest: PlaceView | null, };
+
+/** A world in the list of all. */
+export type WorldSummary = {
+/** Value of the setting `world`. */
+name: string,
+/** Title for people; the name when the file cannot be read. */
+title: string,
+/** What it is. */
+summary: string,
+/** It came with the program and cannot be changed. */
+built_in: boolean,
+/** Why no session can run in it. */
+problem: string | null,
+/** Least and greatest x and y, `[x0, y0, x1, y1]`, metres. */
+bounds_m: [number, number, number, number] | null,
+/** Wall surfaces. */
+walls: number,
+/** Names of the regions. */
+regions: Array<string>, };
+
+/** What a world is like, and everything wrong with it. */
+export type WorldCheck = {
+/** A session can run in it. */
+ok: boolean,
+/** What was read. */
+world: WorldFile,
+/** What is wrong. */
+problems: Array<WorldProblem>,
+/** Least and greatest x and y, `[x0, y0, x1, y1]`, metres; none when something is wrong. */
+bounds_m: [number, number, number, number] | null,
+/** Wall surfaces; 0 when something is wrong. */
+walls: number,
+/** What each region covers; empty when something is wrong. */
+regions: Array<RegionShape>,
+/** From home to the nearest surface, metres. */
+clearance_m: number | null,
+/** From home straight to the goal's centre, metres. */
+distance_m: number,
+/** A short way that the robot fits through, metres, found on a grid of 10 cm and pulled taut. */
+way_m: number | null,
+/** Radius of the robot that has to fit, metres. */
+robot_radius_m: number,
+/** A world of this name exists already: `own` or `built_in`. */
+taken: string | null, };
+
+/** What a region covers within the bounds. */
+export type RegionShape = {
+/** Its name. */
+name: string,
+/** Convex polygons, metres. */
+polygons_m: Array<Array<[number, number]>>, };
+
+/** Regions proposed for a world. */
+export type RegionProposal = {
+/** The regions, for the world's file. */
+regions: Array<WorldRegion>,
+/** What each covers. */
+shapes: Array<RegionShape>, };
+
+/** A ROS map to be traced. */
+export type TraceRequest = {
+/** The PGM or PNG file in base 64. */
+image_base64: string,
+/** The text of the YAML file. */
+yaml: string,
+/** Patches of cells smaller than this are dropped, square metres; none unless told otherwise. */
+speck_m2?: number,
+/** The part of the world to keep, `[x0, y0, x1, y1]`, metres; all unless told otherwise. */
+crop?: [number, number, number, number],
+/** Name of the world; that of the image unless told otherwise. */
+name?: string, };
+
+/** A world traced from a map, to be finished by its user. */
+export type TraceDraft = {
+/** The floor with one region and a suggested home and goal. */
+world: WorldFile,
+/** Edge of a cell, metres. */
+resolution_m: number,
+/** Cells along x. */
+width_cells: number,
+/** Cells along y. */
+height_cells: number,
+/** Free cells. */
+free_cells: number,
+/** Occupied cells. */
+occupied_cells: number,
+/** Unknown cells. */
+unknown_cells: number,
+/** Area of the free cells, square metres. */
+free_area_m2: number,
+/** Pieces of wall before they were simplified within half a cell. */
+segments_before: number,
+/** Pieces of wall after that. */
+segments_after: number,
+/** Patches of cells dropped. */
+specks_dropped: number,
+/** Least and greatest x and y of the floor, `[x0, y0, x1, y1]`, metres. */
+bounds_m: [number, number, number, number],
+/** The cells as a picture. */
+picture: MapPicture, };
+
+/** The cells of a map as a picture: white is free, black occupied, grey unknown. */
+export type MapPicture = {
+/** A PNG file in base 64. */
+png_base64: string,
+/** Pixels; fewer than cells for a large map. */
+width_px: number,
+/** Pixels. */
+height_px: number,
+/** The lower left corner, metres. */
+corner: PlaceView,
+/** How far the picture is turned about that corner, degrees counter-clockwise. */
+yaw_deg: number,
+/** Width of the map, metres. */
+width_m: number,
+/** Height of the map, metres. */
+height_m: number, };
