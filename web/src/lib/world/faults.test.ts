@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 
-import type { PlaceView } from './shapes';
+import type { PlaceView } from '../protocol';
 import { chainOf, elementOf, fieldWords, marksOf, plain, told } from './faults';
 
 it('marks the faults that have a place with their number in the list', () => {

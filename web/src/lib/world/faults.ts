@@ -1,6 +1,6 @@
 /** What is wrong with a draft, and where: the field to mend and the mark on the plan. */
 
-import type { PlaceView, WorldProblem } from './shapes';
+import type { PlaceView, WorldProblem } from '../protocol';
 import type { Point } from './view';
 
 /** A mark on the plan: the number of its problem in the list, its place, and where it could be instead. */
