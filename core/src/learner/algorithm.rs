@@ -14,8 +14,8 @@ use super::stochastic::{eligibility, explore};
 use super::trial_end::{Changes, PathStep, close};
 use super::{
     ActionFrame, ActionSource, Adaptation, AfterRescue, Birth, BirthCause, Consequence, Decision,
-    Exploration, FirstAction, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId, Observation,
-    Origin, Partition, Winner, annealing, reinforcement,
+    Draw, Exploration, FirstAction, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId,
+    Observation, Origin, Partition, Winner, annealing, reinforcement,
 };
 use crate::control::{Reflex, ReflexTrace};
 use crate::geometry::{Pose, Vec2, angle, unit, wrap_angle};
@@ -94,6 +94,8 @@ pub struct Learner {
     born: Vec<(usize, NeuronId)>,
     recentred: Vec<NeuronId>,
     waiting: Option<(Past, PathStep)>,
+    /// The last draw in this trial, and the neuron it was drawn for.
+    drawn: Option<(NeuronId, f64)>,
     step: u32,
 }
 
@@ -136,6 +138,7 @@ impl Learner {
             born: Vec::new(),
             recentred: Vec::new(),
             waiting: None,
+            drawn: None,
             step: 0,
         }
     }
@@ -210,6 +213,7 @@ impl Learner {
         self.rng = rng;
         self.past = None;
         self.waiting = None;
+        self.drawn = None;
         self.path.clear();
         self.born.clear();
         self.step = 0;
@@ -286,8 +290,10 @@ impl Learner {
             acting.utility,
             acting.mean_deg,
             self.temperature_deg(),
+            self.held(&acting),
             &mut self.rng,
         );
+        self.drawn = Some((acting.neuron, exploration.drawn_deg));
         // NOTE (D5): Algorithm 9 rescues the robot and lets the same winner try the same way again; here
         // the step after a rescue is the reflex's, and is recorded like any other.
         let rescued = situation.collided() && self.settings.after_rescue == AfterRescue::Reflex;
@@ -321,6 +327,15 @@ impl Learner {
             action_rad,
             rotation_rad: situation.rotation(action_rad),
         }
+    }
+
+    /// The draw that still holds, if one does.
+    ///
+    /// NOTE: where a step is short against a receptive field, a neuron acts several times running, and
+    /// keeps one action only, Eq. (5.28); draws that differ from step to step could not be kept.
+    fn held(&self, acting: &Acting) -> Option<f64> {
+        let drawn = self.drawn.filter(|(neuron, _)| *neuron == acting.neuron);
+        drawn.filter(|_| self.settings.draw == Draw::Activation).map(|(_, drawn_deg)| drawn_deg)
     }
 
     /// Why a neuron must be added here, if it must.

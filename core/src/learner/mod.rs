@@ -38,5 +38,6 @@ pub use memory::Memory;
 pub use network::{Network, Neuron, NoveltyMetric, Partition};
 pub use reward::{RewardSettings, reinforcement};
 pub use settings::{
-    ActionFrame, AfterRescue, Deviation, FirstAction, LearnerSettings, MeanUpdate, Replacement,
+    ActionFrame, AfterRescue, Deviation, Draw, FirstAction, LearnerSettings, MeanUpdate,
+    Replacement,
 };
