@@ -6,8 +6,8 @@
 use crate::control::ReflexSettings;
 use crate::fuzzy::Inference;
 use crate::learner::{
-    ActionFrame, AfterRescue, Carry, Deviation, Draw, FirstAction, Judge, MeanUpdate, NoveltyMetric,
-    Partition, Replacement, SonarFrame,
+    ActionFrame, AfterRescue, Carry, Deviation, Draw, FirstAction, Judge, MeanUpdate,
+    NoveltyMetric, Partition, Replacement, SonarFrame,
 };
 use crate::robot::SimulationSettings;
 
