@@ -3,7 +3,9 @@
 //! Everything here is a state machine: an observation goes in, a decision comes out, with its
 //! explanation. Time and randomness are parameters; there is no clock, no file, no thread.
 //! Data flows one way: [`world`] → [`robot`] → [`fuzzy`] → [`control`] → [`learner`] → [`experiment`];
-//! [`stats`] judges what came out.
+//! [`planner`] finds the path that a learner could not better; [`stats`] judges what came out.
+//! Chapters 3 and 4 are [`tabular`] and [`labyrinth`], with experiments of the same form;
+//! [`perception`] estimates what noisy readings say.
 //!
 //! ```
 //! use std::sync::Arc;
@@ -32,9 +34,14 @@ pub mod control;
 pub mod experiment;
 pub mod fuzzy;
 pub mod geometry;
+pub mod labyrinth;
 pub mod learner;
+pub mod perception;
+pub mod planner;
 pub mod rng;
 pub mod robot;
 pub mod settings;
+mod simd;
 pub mod stats;
+pub mod tabular;
 pub mod world;

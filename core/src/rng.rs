@@ -17,6 +17,16 @@ pub enum Purpose {
     Odometry = 1,
     /// The stochastic unit, Eq. (5.12).
     Exploration = 2,
+    /// Choosing an action in a tabular world.
+    Selection = 8,
+    /// What an action of a stochastic tabular world leads to.
+    Transition = 9,
+    /// Planning on a learned model.
+    Planning = 10,
+    /// What a lever pays.
+    Payoff = 11,
+    /// The means of a bandit's levers.
+    Levers = 12,
 }
 
 /// The generator for one purpose in one trial (0-based) of a session.

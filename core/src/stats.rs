@@ -67,6 +67,19 @@ impl Estimate {
         Some(Self { value, low: value - half, high: value + half, n })
     }
 
+    /// Median with the interval between two order statistics that holds it with 95 % confidence
+    /// whatever the distribution; the least and the greatest value where the sample is too small for
+    /// that. None of an empty sample.
+    #[must_use]
+    pub fn median(sample: &[f64]) -> Option<Self> {
+        let value = median(sample)?;
+        let mut sorted = sample.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let n = sorted.len();
+        let below = ranks_below(n);
+        Some(Self { value, low: sorted[below], high: sorted[n - 1 - below], n })
+    }
+
     /// Variance with the interval ν s²/χ²₀.₉₇₅(ν) to ν s²/χ²₀.₀₂₅(ν); none of fewer than two values.
     #[must_use]
     pub fn variance(sample: &[f64]) -> Option<Self> {
@@ -94,6 +107,53 @@ impl Estimate {
     pub fn scaled(self, factor: f64) -> Self {
         let Self { value, low, high, n } = self;
         Self { value: value * factor, low: low * factor, high: high * factor, n }
+    }
+}
+
+/// Values that may be left out at each end of a sorted sample of `n` so that the rest still holds the
+/// median with 95 % confidence: the greatest k with P(B ≤ k) ≤ 0.025, B binomial with n and 1/2.
+fn ranks_below(n: usize) -> usize {
+    // ln P(B = k), so that large samples do not underflow.
+    let mut term = -count(n) * std::f64::consts::LN_2;
+    let (mut tail, mut ranks) = (libm::exp(term), 0);
+    while tail <= TAIL && ranks < n / 2 {
+        ranks += 1;
+        term += libm::log(count(n - ranks + 1) / count(ranks));
+        tail += libm::exp(term);
+    }
+    ranks.saturating_sub(1)
+}
+
+/// A bound that a quantity has to keep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bound {
+    /// It must not be less.
+    AtLeast(f64),
+    /// It must not be greater.
+    AtMost(f64),
+}
+
+impl Bound {
+    /// The rule of [`Bound::judge`], for people.
+    pub const RULE: &str = "a bound is kept (agrees) when our whole 95 % interval keeps it, broken \
+        (differs) when no part of it does; else, or with n < 10, nothing can be told";
+
+    /// Whether a quantity keeps the bound: [`Verdict::Agrees`] when its whole interval does,
+    /// [`Verdict::Differs`] when no part of it does.
+    #[must_use]
+    pub fn judge(self, ours: &Estimate) -> Verdict {
+        let (all, some) = match self {
+            Self::AtLeast(bound) => (ours.low >= bound, ours.high >= bound),
+            Self::AtMost(bound) => (ours.high <= bound, ours.low <= bound),
+        };
+        match (all, some) {
+            _ if ours.n < LEAST_SAMPLE => Verdict::CannotTell,
+            (true, _) => Verdict::Agrees,
+            (_, true) => Verdict::CannotTell,
+            // An interval that is not a number keeps nothing and proves nothing.
+            _ if ours.low.is_nan() || ours.high.is_nan() => Verdict::CannotTell,
+            _ => Verdict::Differs,
+        }
     }
 }
 

@@ -8,9 +8,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-use crate::catalog::{FieldError, Plan};
+use crate::catalog::{FieldError, Plan, Trained};
 use crate::session::{Run, summary};
 use crate::wire::{AlteredStartView, RunResult, Trial};
+use crate::yardstick;
 
 /// Does the jobs on so many threads and hands over each result as soon as all before it are there.
 /// When `take` refuses one, no further job is begun.
@@ -68,26 +69,42 @@ pub fn all<Job: Sync, Done: Send, Error: Send>(
     Ok(done)
 }
 
-/// A set: all trials of a plan, begun with empty networks. Says `done` after each trial.
+/// A set: all trials of a plan, begun with empty networks or those of the plan. Says `done` after each
+/// trial.
 ///
 /// # Errors
 /// When the settings do not fit the world.
 pub fn set(plan: &Plan, done: impl Fn()) -> Result<RunResult, FieldError> {
+    run(plan, done).map(|(result, _)| result)
+}
+
+/// The same with the trained networks.
+///
+/// # Errors
+/// When the settings do not fit the world.
+pub fn trained_set(plan: &Plan, done: impl Fn()) -> Result<(RunResult, Trained), FieldError> {
+    run(plan, done).map(|(result, run)| (result, run.trained(plan)))
+}
+
+fn run(plan: &Plan, done: impl Fn()) -> Result<(RunResult, Run), FieldError> {
     let mut run = Run::new(plan)?;
     let trials = std::iter::repeat_with(|| run.step_silently()).flatten();
     let trials = trials.take(plan.trials as usize).inspect(|_| done()).collect();
-    Ok(result(plan, trials, run.altered_starts(&plan.starts)))
+    Ok((result(plan, trials, run.altered_starts(&plan.starts)), run))
 }
 
-/// The whole result of a plan that was run, with what its networks did from altered starts.
+/// The whole result of a plan that was run, each trial with its regret, and with what its networks did
+/// from altered starts.
 #[must_use]
 pub fn result(plan: &Plan, trials: Vec<Trial>, starts: Vec<AlteredStartView>) -> RunResult {
+    let yardstick = yardstick::compute(plan);
+    let trials: Vec<Trial> = trials.into_iter().map(|trial| yardstick.mark(trial)).collect();
     RunResult {
         experiment: plan.experiment.clone(),
         seed: plan.seed,
         build: crate::build(),
         settings: plan.values.clone(),
-        summary: summary(&trials),
+        summary: summary(&trials, &yardstick),
         trials,
         starts: starts.into_iter().map(AlteredStartView::without_paths).collect(),
     }

@@ -17,6 +17,7 @@ pub mod stream;
 #[cfg(test)]
 mod testing;
 pub mod wire;
+pub mod yardstick;
 
 /// Program version and commit.
 #[must_use]

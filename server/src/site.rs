@@ -26,6 +26,8 @@ pub fn router<S: Clone + Send + Sync + 'static>() -> Router<S> {
     Router::new()
         .route("/", get(index))
         .route("/sessions/{id}", get(index))
+        .route("/worlds", get(index))
+        .route("/worlds/{name}", get(index))
         .route("/reproduce", get(index))
         .route("/reproduce/{target}", get(index))
         .route("/assets/{*path}", get(asset))

@@ -1,17 +1,18 @@
-//! The browser tests: Playwright against a real server.
+//! The browser tests: Playwright against a real server, one server for each file of tests.
 
 use std::process::Command;
 
 use e2e::{Server, chromium, node_modules, root};
 
-#[test]
-fn a_person_can_do_the_whole_story_in_a_browser() {
+/// Runs one file of `tests/browser` against a server of its own.
+fn passes(spec: &str) {
     let browser = chromium();
     let folder = root().join("tests");
     node_modules(&folder);
     let server = Server::start();
     let output = Command::new("npx")
-        .args(["playwright", "test"])
+        .args(["playwright", "test", spec])
+        .args(["--output", &format!("test-results/{spec}")])
         .current_dir(&folder)
         .env("SONARIUM_URL", server.url())
         .env("CHROMIUM", browser)
@@ -23,4 +24,19 @@ fn a_person_can_do_the_whole_story_in_a_browser() {
         String::from_utf8_lossy(&output.stdout),
         String::from_utf8_lossy(&output.stderr),
     );
+}
+
+#[test]
+fn a_person_can_do_the_whole_story_in_a_browser() {
+    passes("story.spec.ts");
+}
+
+#[test]
+fn a_person_can_bring_and_edit_a_world_in_a_browser() {
+    passes("worlds.spec.ts");
+}
+
+#[test]
+fn a_person_can_look_at_the_reproductions_in_a_browser() {
+    passes("reproduce.spec.ts");
 }

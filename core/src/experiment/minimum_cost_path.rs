@@ -12,9 +12,9 @@ use super::{OnCollision, Settings};
 use crate::control::Reflex;
 use crate::geometry::{Pose, Vec2};
 use crate::learner::{
-    Birth, Consequence, DISTANCE_UNITS, Decision, Learner, LearnerSettings, Memory, Neuron,
-    NeuronId, Observation, Outcome, RewardSettings, SonarFrame, Tick, TrialEnd, TrialRecord,
-    reinforcement,
+    Birth, CarryError, Consequence, DISTANCE_UNITS, Decision, Learner, LearnerSettings, Memory,
+    Neuron, NeuronId, Observation, Outcome, Partition, RewardSettings, SonarFrame, Tick, TrialEnd,
+    TrialRecord, reinforcement,
 };
 use crate::rng::{Purpose, stream};
 use crate::robot::{Contact, Motion, Robot, Sensed, SimulatedRobot};
@@ -76,14 +76,17 @@ pub enum SetupError {
         /// What it is.
         found: String,
     },
-    /// The checkpoint has networks for another number of regions.
-    #[error("the checkpoint has {found} networks, but the world has {expected} regions")]
+    /// There are networks for another number of regions.
+    #[error("there are {found} networks, but the world has {expected} regions")]
     OtherWorld {
         /// Regions of the world.
         expected: usize,
-        /// Networks of the checkpoint.
+        /// Networks there are.
         found: usize,
     },
+    /// The trained networks are damaged.
+    #[error(transparent)]
+    Networks(#[from] CarryError),
 }
 
 impl SetupError {
@@ -93,6 +96,7 @@ impl SetupError {
         match self {
             Self::Contradiction { key, .. } => key,
             Self::OtherWorld { .. } => "checkpoint",
+            Self::Networks(error) => &error.place,
         }
     }
 }
@@ -156,6 +160,30 @@ impl MinimumCostPath {
             stream(seed, 0, Purpose::Exploration),
         );
         Ok(Self::with(world, robot, settings, seed, learner))
+    }
+
+    /// A new run with trained networks, one a region (one in all with `learner.regions = one`).
+    ///
+    /// # Errors
+    /// When two settings contradict each other, or the networks do not fit the world or are damaged.
+    pub fn carry_on(
+        world: Arc<World>,
+        robot: Arc<Robot>,
+        settings: &Settings,
+        seed: u64,
+        networks: &[Vec<Neuron>],
+    ) -> Result<Self, SetupError> {
+        let regions = world.regions().len();
+        let expected = if settings.partition == Partition::One { 1 } else { regions };
+        if networks.len() != expected {
+            return Err(SetupError::OtherWorld { expected, found: networks.len() });
+        }
+        // One network for all is that of the first region; those of the others stay empty.
+        let mut networks = networks.to_vec();
+        networks.resize(regions, Vec::new());
+        let inputs = robot.sonars().len() + DISTANCE_UNITS;
+        let memory = Memory::carrying(&LearnerSettings::from(settings), &networks, inputs)?;
+        Self::resume(world, robot, settings, seed, &Checkpoint { memory })
     }
 
     /// Goes on after a checkpoint, to the same bits that a run never stopped gives.
@@ -260,6 +288,13 @@ impl MinimumCostPath {
         if self.observation.is_some() { self.robot.true_pose() } else { self.world.home() }
     }
 
+    /// The networks as they are, in the order of the world's regions.
+    #[must_use]
+    pub fn networks(&self) -> Vec<Vec<Neuron>> {
+        let networks = self.learner.memory().networks().iter();
+        networks.map(|network| network.neurons().to_vec()).collect()
+    }
+
     /// All neurons, by network and then by age.
     pub fn neurons(&self) -> impl Iterator<Item = NeuronRef<'_>> {
         let networks = self.learner.memory().networks().iter().enumerate();
@@ -323,12 +358,7 @@ impl MinimumCostPath {
         let bearing_rad = pose.bearing_to(self.world.goal().centre);
         let reinforcement =
             reinforcement(&self.reward, &sensed.sonar_m, motion.contact, bearing_rad);
-        self.learner.consequence(&Consequence {
-            sonar_m: sensed.sonar_m,
-            pose,
-            moved: motion.moved,
-            reinforcement,
-        });
+        self.learner.consequence(&Consequence { sonar_m: sensed.sonar_m, pose, reinforcement });
         Outcome {
             true_pose: self.robot.true_pose(),
             pose,

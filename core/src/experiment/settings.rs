@@ -6,8 +6,8 @@
 use crate::control::ReflexSettings;
 use crate::fuzzy::Inference;
 use crate::learner::{
-    ActionFrame, AfterRescue, Deviation, FirstAction, MeanUpdate, NoveltyMetric, Partition,
-    Replacement, SonarFrame,
+    ActionFrame, AfterRescue, Carry, Deviation, Draw, FirstAction, Judge, MeanUpdate,
+    NoveltyMetric, Partition, Replacement, SonarFrame,
 };
 use crate::robot::SimulationSettings;
 
@@ -59,10 +59,12 @@ crate::settings! {
         action_frame: ActionFrame = ActionFrame::Heading, "learner.action_frame" "", Reading, "R1; section 5.4", "Frame in which prototypical actions are stored";
         temperature_max_deg: f64 = 100.0, "learner.temperature_max" [0.0, 360.0] "deg", Literal, "Eq. (5.16), T_max", "Temperature of the first trial";
         temperature_min_deg: f64 = 10.0, "learner.temperature_min" [0.0, 360.0] "deg", Literal, "Eq. (5.17), T_min", "Temperature it cools to";
+        carried_temperature_deg: f64 = 100.0, "learner.carried_temperature" [0.0, 360.0] "deg", Addition, "continual learning", "Temperature of the first trial of a run that begins with trained networks";
         cooling: f64 = 0.8, "learner.cooling" [0.0, 1.0] "", Literal, "Eq. (5.17), β", "Share of the temperature kept from trial to trial";
         exploit_from: u32 = 16, "learner.exploit_from" [0.0, 100_000.0] "trial", Deviation, "D4; Eq. (5.17)", "Trial from which the temperature is 0 and the best path is replayed; 0: never; tuned in the laboratory";
         sigma_scale: f64 = 0.05, "learner.sigma_scale" [0.0, 1.0] "", Deviation, "D1; Eq. (5.14)", "Share of σ that is used; 1 is literal";
         deviation: Deviation = Deviation::Half, "learner.sigma_reading" "", Reading, "Eq. (5.12)", "Standard deviation of the draw for a given σ";
+        draw: Draw = Draw::Step, "learner.draw" "", Literal, "Algorithm 9", "How long a draw of the stochastic unit holds";
         first_action: FirstAction = FirstAction::Inherit, "learner.new_neuron" "", Deviation, "D2; section 5.7", "Where the first action of a new neuron comes from";
         inherit_radius: f64 = 5.0, "learner.inherit_radius" [0.0, 100.0] "ς", Deviation, "D2, tuned", "Greatest distance of the neuron copied from, in receptive fields";
         forget_unrecorded: bool = true, "learner.forget_unrecorded" "", Deviation, "D3; section 5.9", "Delete the neurons born in a trial that set no record";
@@ -71,7 +73,7 @@ crate::settings! {
         temporal_difference: bool = true, "learner.temporal_difference" "", Literal, "Eq. (5.20), (5.25)", "Adapt utilities and centres by the TD error";
         utility_reward_rate: f64 = 0.5, "learner.utility_reward_rate" [0.0, 1.0] "", Literal, "Eq. (5.20), η_r", "Learning rate of a utility when δ > 0";
         utility_penalty_rate: f64 = 0.05, "learner.utility_penalty_rate" [0.0, 1.0] "", Literal, "Eq. (5.20), η_p", "Learning rate of a utility when δ < 0";
-        mean_update: MeanUpdate = MeanUpdate::Band, "learner.mean_update" "", Addition, "A1; Eq. (5.21)-(5.24)", "How the mean of the exploration is set";
+        mean_update: MeanUpdate = MeanUpdate::Shortcut, "learner.mean_update" "", Addition, "A1; Eq. (5.21)-(5.24)", "How the mean of the exploration is set";
         mean_reward_rate: f64 = 0.2, "learner.mean_reward_rate" [0.0, 10.0] "", Literal, "Eq. (5.24), β_r", "Learning rate of a mean when δ > 0";
         mean_penalty_rate: f64 = 0.02, "learner.mean_penalty_rate" [0.0, 10.0] "", Literal, "Eq. (5.24), β_p", "Learning rate of a mean when δ < 0";
         centre_reward_rate: f64 = 0.01, "learner.centre_reward_rate" [0.0, 1.0] "", Literal, "Eq. (5.25), ε_r", "Learning rate of a centre when δ > 0";
@@ -79,8 +81,10 @@ crate::settings! {
         split_threshold: f64 = 50.0, "learner.split_threshold" [0.0, 1000.0] "", Literal, "section 5.9, Δ", "TD error above which the past situation gets its own neuron";
         backtrack: bool = true, "learner.backtrack" "", Literal, "Eq. (5.26)", "Set utilities from the reinforcements to the goal after a successful trial";
         replacement: Replacement = Replacement::Forward, "learner.replacement" "", Literal, "Eq. (5.28)", "How a record trial replaces prototypical actions";
-        band_repulsion: f64 = 1.6, "band.repulsion" [0.0, 10.0] "", Addition, "A1, κ, tuned", "Push away from a wall where the safety penalty was paid, in advances";
-        band_decay: f64 = 0.85, "band.decay" [0.0, 0.99] "", Addition, "A1, λ, tuned", "Weight of each later step in the chord a neuron aims along";
+        shortcut_judge: Judge = Judge::Critic, "shortcut.judge" "", Addition, "A1", "What decides which later point of the record path a neuron aims at";
+        shortcut_push: bool = true, "shortcut.push" "", Addition, "A1", "Move the points aimed at off the obstacle by the clearance that cost the step that led there";
+        shortcut_clearance_m: f64 = 0.1, "shortcut.clearance" [0.0, 1.0] "m", Addition, "A1, A2; the distance of a virtual collision", "Least clearance that the echoes must show along a shortcut";
+        shortcut_carry: Carry = Carry::HandOver, "shortcut.carry" "", Addition, "A2", "What a new neuron on a shortcut does";
     }
 }
 

@@ -1,5 +1,6 @@
 //! Fuzzy sets and inference, section 2.6.
 
+pub mod advice;
 mod mamdani;
 mod sets;
 

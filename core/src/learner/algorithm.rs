@@ -1,5 +1,6 @@
 //! Algorithm 9 as a state machine.
 
+mod heritage;
 mod recall;
 
 pub use recall::{Recall, Silence};
@@ -8,13 +9,15 @@ use std::sync::Arc;
 
 use rand_chacha::ChaCha8Rng;
 
+use heritage::{Heritage, REACHED};
+
 use super::critic::{PastSituation, adapt, td_error};
 use super::memory::{Memory, Start};
 use super::stochastic::{eligibility, explore};
 use super::trial_end::{Changes, PathStep, close};
 use super::{
-    ActionFrame, ActionSource, Adaptation, AfterRescue, Birth, BirthCause, Consequence, Decision,
-    Exploration, FirstAction, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId, Observation,
+    ActionFrame, ActionSource, Adaptation, AfterRescue, Aim, Birth, BirthCause, Consequence,
+    Decision, Draw, Exploration, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId, Observation,
     Origin, Partition, Winner, annealing, reinforcement,
 };
 use crate::control::{Reflex, ReflexTrace};
@@ -37,6 +40,7 @@ struct Acting {
     neuron: NeuronId,
     prototypical_rad: f64,
     mean_deg: f64,
+    aim: Option<Aim>,
     utility: f64,
     pending: bool,
 }
@@ -48,6 +52,7 @@ impl Acting {
             neuron: neuron.id,
             prototypical_rad: neuron.prototypical_rad,
             mean_deg: neuron.mean_deg,
+            aim: neuron.aim,
             utility: neuron.utility,
             pending: neuron.pending,
         }
@@ -94,6 +99,8 @@ pub struct Learner {
     born: Vec<(usize, NeuronId)>,
     recentred: Vec<NeuronId>,
     waiting: Option<(Past, PathStep)>,
+    /// The last draw in this trial, and the neuron it was drawn for.
+    drawn: Option<(NeuronId, f64)>,
     step: u32,
 }
 
@@ -136,6 +143,7 @@ impl Learner {
             born: Vec::new(),
             recentred: Vec::new(),
             waiting: None,
+            drawn: None,
             step: 0,
         }
     }
@@ -185,7 +193,7 @@ impl Learner {
     /// Takes what came of the last decision.
     pub fn consequence(&mut self, consequence: &Consequence) {
         let Some((mut past, mut step)) = self.waiting.take() else { return };
-        step.moved = consequence.moved;
+        step.reached = consequence.pose.position();
         step.reinforcement = consequence.reinforcement.total();
         step.safety = consequence.reinforcement.safety;
         if step.paid() > 0.0 {
@@ -199,8 +207,15 @@ impl Learner {
 
     /// Closes the trial and cools the temperature; `rng` is the exploration stream of the next trial.
     pub(crate) fn end_trial(&mut self, reached_goal: bool, rng: ChaCha8Rng) -> Changes {
-        let mut changes =
-            close(&self.settings, &mut self.memory, &self.path, &self.born, reached_goal);
+        let mut changes = close(
+            &self.settings,
+            &self.robot,
+            self.goal,
+            &mut self.memory,
+            &self.path,
+            &self.born,
+            reached_goal,
+        );
         changes.recentred = std::mem::take(&mut self.recentred);
         changes.recentred.sort_unstable();
         changes.recentred.dedup();
@@ -210,6 +225,7 @@ impl Learner {
         self.rng = rng;
         self.past = None;
         self.waiting = None;
+        self.drawn = None;
         self.path.clear();
         self.born.clear();
         self.step = 0;
@@ -260,6 +276,7 @@ impl Learner {
             neuron: None,
             prototypical_rad: action_rad,
             utility: None,
+            aim: None,
             exploration: Exploration::default(),
             source: ActionSource::Reflex,
             action_rad,
@@ -284,10 +301,12 @@ impl Learner {
         let mut exploration = explore(
             &self.settings,
             acting.utility,
-            acting.mean_deg,
+            self.mean_deg(situation, &acting),
             self.temperature_deg(),
+            self.held(&acting),
             &mut self.rng,
         );
+        self.drawn = Some((acting.neuron, exploration.drawn_deg));
         // NOTE (D5): Algorithm 9 rescues the robot and lets the same winner try the same way again; here
         // the step after a rescue is the reflex's, and is recorded like any other.
         let rescued = situation.collided() && self.settings.after_rescue == AfterRescue::Reflex;
@@ -316,11 +335,33 @@ impl Learner {
             neuron: Some(acting.neuron),
             prototypical_rad: acting.prototypical_rad,
             utility: (!acting.pending).then_some(acting.utility),
+            aim: acting.aim,
             exploration,
             source: if rescued { ActionSource::AfterRescue } else { ActionSource::Network },
             action_rad,
             rotation_rad: situation.rotation(action_rad),
         }
+    }
+
+    /// `μ` at this place, degrees: along the shortcut when the neuron aims at one (A1).
+    fn mean_deg(&self, situation: &Situation<'_>, acting: &Acting) -> f64 {
+        let Some(aim) = acting.aim else { return acting.mean_deg };
+        let way = aim.point() - situation.observation.pose.position();
+        if way.norm() < REACHED * self.settings.advance_m {
+            return 0.0;
+        }
+        // A1: μ_i = arg(q - p_r) - p_i
+        let aim_rad = angle(way) - situation.frame_rad;
+        wrap_angle(aim_rad - acting.prototypical_rad).to_degrees()
+    }
+
+    /// The draw that still holds, if one does.
+    ///
+    /// NOTE: where a step is short against a receptive field, a neuron acts several times running, and
+    /// keeps one action only, Eq. (5.28); draws that differ from step to step could not be kept.
+    fn held(&self, acting: &Acting) -> Option<f64> {
+        let drawn = self.drawn.filter(|(neuron, _)| *neuron == acting.neuron);
+        drawn.filter(|_| self.settings.draw == Draw::Activation).map(|(_, drawn_deg)| drawn_deg)
     }
 
     /// Why a neuron must be added here, if it must.
@@ -355,21 +396,7 @@ impl Learner {
         reflex: &mut Option<ReflexTrace>,
     ) -> Acting {
         let observation = situation.observation;
-        let parent = nearest.filter(|_| self.may_inherit(situation)).filter(|(_, squared)| {
-            let radius = self.settings.inherit_radius * self.settings.novelty;
-            self.settings.novelty_metric.of(*squared) <= radius
-        });
-        let (origin, prototypical_rad, mean_deg) = match parent {
-            Some((parent, _)) => {
-                let inherits_mean = self.settings.first_action == FirstAction::Inherit;
-                let mean_deg = if inherits_mean { parent.mean_deg } else { 0.0 };
-                (Origin::Inherited { parent: parent.neuron }, parent.prototypical_rad, mean_deg)
-            }
-            None => {
-                let advice = *reflex.get_or_insert_with(|| self.advise(situation));
-                (Origin::Reflex, situation.action(advice.rotation_rad), 0.0)
-            }
-        };
+        let heritage = self.heritage(situation, nearest, reflex);
         // Section 5.9, Exceptions: u is the reinforcement of the present situation.
         let now = reinforcement(
             &self.settings.reward,
@@ -377,17 +404,10 @@ impl Learner {
             observation.contact,
             situation.bearing_rad,
         );
-        let birth = self.birth(cause, origin, observation.pose);
-        let start = Start { prototypical_rad, mean_deg, utility: now.total() };
+        let birth = self.birth(cause, heritage.origin, observation.pose);
+        let Heritage { prototypical_rad, mean_deg, aim, .. } = heritage;
+        let start = Start { prototypical_rad, mean_deg, aim, utility: now.total() };
         self.add(situation.network, situation.input, start, birth)
-    }
-
-    /// NOTE (D2): the thesis always asks the reflex. Off the stored path every situation is new, so
-    /// the reflex would pull each excursion back; a new neuron continues what its neighbour does.
-    fn may_inherit(&self, situation: &Situation<'_>) -> bool {
-        self.settings.first_action != FirstAction::Reflex
-            && self.memory.best.is_some()
-            && !situation.collided()
     }
 
     fn birth(&self, cause: BirthCause, origin: Origin, pose: Pose) -> Birth {
@@ -404,6 +424,7 @@ impl Learner {
             neuron: id,
             prototypical_rad: start.prototypical_rad,
             mean_deg: start.mean_deg,
+            aim: start.aim,
             utility: start.utility,
             pending: self.memory.best.is_some(),
         }
@@ -412,8 +433,7 @@ impl Learner {
     /// Judges the past situation by where it led, section 5.9.
     fn adapt_past(&mut self, present: &Acting) -> Adaptation {
         let Some(past) = self.past.take() else { return Adaptation::NoPast };
-        let learns_mean =
-            matches!(self.settings.mean_update, MeanUpdate::Gradient | MeanUpdate::Both);
+        let learns_mean = self.settings.mean_update == MeanUpdate::Gradient;
         if !self.settings.temporal_difference && !learns_mean {
             return Adaptation::Off;
         }
@@ -440,11 +460,13 @@ impl Learner {
     /// NOTE: the text does not say what its parameters are; it takes the action that was executed and
     /// the utility that was found.
     fn split(&mut self, past: &Past, delta: f64, present_utility: f64) -> Adaptation {
-        let Some(step) = self.path.last().copied() else { return Adaptation::NoPast };
+        let Some(action_rad) = self.path.last().map(|step| step.action_rad) else {
+            return Adaptation::NoPast;
+        };
         let utility = past.situation.reinforcement + self.settings.discount * present_utility;
         let origin = Origin::Inherited { parent: past.neuron };
         let birth = self.birth(BirthCause::Error { delta }, origin, past.pose);
-        let start = Start { prototypical_rad: step.action_rad, mean_deg: 0.0, utility };
+        let start = Start { prototypical_rad: action_rad, mean_deg: 0.0, aim: None, utility };
         let added = self.add(past.network, past.situation.input, start, birth);
         if let Some(step) = self.path.last_mut() {
             step.neuron = added.neuron;
@@ -472,11 +494,15 @@ impl Learner {
         let step = PathStep {
             network: acting.network,
             neuron: acting.neuron,
+            aim: acting.aim,
+            mean_deg: acting.mean_deg,
+            pose: situation.observation.pose,
+            sonar_m: situation.observation.sonar_m,
             action_rad,
             frame_rad: situation.frame_rad,
             reinforcement: 0.0,
             safety: 0.0,
-            moved: Vec2::zeros(),
+            reached: situation.observation.pose.position(),
             away: Vec2::zeros(),
         };
         self.waiting = Some((past, step));

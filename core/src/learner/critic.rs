@@ -35,7 +35,7 @@ pub(super) fn adapt(
         // Eq. (5.25): c_i(t+1) = c_i(t) + ε_{r,p} (x(t) - c_i(t))
         centre_shift = shift_centre(neuron, &past.input, choose(settings.centre_rates));
     }
-    if matches!(settings.mean_update, MeanUpdate::Gradient | MeanUpdate::Both) {
+    if matches!(settings.mean_update, MeanUpdate::Gradient) {
         eligibility = past.eligibility;
         // Eq. (5.22), (5.24): μ_i(t+1) = μ_i(t) + β_{r,p} δ(t+1) e_i(t)
         neuron.mean_deg += choose(settings.mean_rates) * delta * eligibility;
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn the_band_leaves_the_mean_to_the_end_of_the_trial() {
+    fn the_shortcut_leaves_the_mean_to_the_end_of_the_trial() {
         let settings = LearnerSettings::from(&Settings::default());
         let past = PastSituation { input: [1.0; 32], eligibility: 0.5, reinforcement: -1.0 };
         let mut neuron = Neuron::example(0, [0.0; 32], -4.0);

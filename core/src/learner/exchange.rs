@@ -1,8 +1,8 @@
 //! What goes into the learner and what comes out of it.
 
-use super::{ActionSource, Adaptation, Exploration, NeuronId, Reinforcement, Winner};
+use super::{ActionSource, Adaptation, Aim, Exploration, NeuronId, Reinforcement, Winner};
 use crate::control::ReflexTrace;
-use crate::geometry::{Pose, Vec2};
+use crate::geometry::Pose;
 use crate::robot::{Contact, Readings};
 
 /// What the learner is told before it decides.
@@ -39,6 +39,8 @@ pub struct Decision {
     pub prototypical_rad: f64,
     /// Its utility `u`; none while it is pending.
     pub utility: Option<f64>,
+    /// Where its mean points, when it aims along a shortcut (addition A1).
+    pub aim: Option<Aim>,
     /// The stochastic unit.
     pub exploration: Exploration,
     /// Who chose.
@@ -56,8 +58,6 @@ pub struct Consequence {
     pub sonar_m: Readings,
     /// Believed pose after the motion.
     pub pose: Pose,
-    /// Believed displacement, metres.
-    pub moved: Vec2,
     /// `r(t+1)`.
     pub reinforcement: Reinforcement,
 }

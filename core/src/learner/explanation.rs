@@ -55,7 +55,8 @@ pub enum BirthCause {
 pub enum Origin {
     /// The fuzzy reflex was asked (the thesis).
     Reflex,
-    /// Copied from the nearest neuron of the same network (addition D2).
+    /// Copied: from the nearest neuron of the same network (deviation D2), from the neuron before it
+    /// on a shortcut, or from the one in charge where the shortcut ends (addition A2).
     Inherited {
         /// The neuron copied from.
         parent: NeuronId,
@@ -254,6 +255,44 @@ pub struct TrialRecord {
     pub last_tick: u64,
 }
 
+/// A place a neuron aims at (addition A1), odometry frame.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Aim {
+    /// Metres.
+    pub x_m: f64,
+    /// Metres.
+    pub y_m: f64,
+    /// Network and neuron in charge there on the record path; none at the goal.
+    pub then: Option<(usize, NeuronId)>,
+}
+
+impl Aim {
+    /// The place.
+    #[must_use]
+    pub fn point(&self) -> Vec2 {
+        Vec2::new(self.x_m, self.y_m)
+    }
+}
+
+/// A shortcut proposed at the end of a record trial (addition A1), and why.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Proposal {
+    /// The neuron.
+    pub neuron: NeuronId,
+    /// Its mean before, degrees.
+    pub before_deg: f64,
+    /// Its mean after: from its prototypical action to the aim, degrees.
+    pub after_deg: f64,
+    /// Where it aims.
+    pub aim: Aim,
+    /// Step of the record path, from 1, that ended there.
+    pub step: u32,
+    /// Reinforcement predicted for driving straight there.
+    pub straight: f64,
+    /// Utility there; 0 at the goal.
+    pub utility: f64,
+}
+
 /// A change made to a neuron at the end of a trial.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
@@ -274,8 +313,8 @@ pub struct TrialEnd {
     pub backed_up: Vec<Change>,
     /// Prototypical actions replaced, Eq. (5.28), radians.
     pub replaced: Vec<Change>,
-    /// Means set by the band proposal (addition A1), degrees.
-    pub proposed: Vec<Change>,
+    /// Shortcuts proposed (addition A1).
+    pub proposed: Vec<Proposal>,
     /// Neurons deleted (addition D3).
     pub forgotten: Vec<NeuronId>,
     /// Neurons whose centre was set or moved during the trial, in the order of their numbers.

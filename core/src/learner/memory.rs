@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Birth, Input, LearnerSettings, Network, Neuron, NeuronId, annealing};
+use super::{Aim, Birth, Input, LearnerSettings, Network, Neuron, NeuronId, annealing};
 
 /// All that outlives a trial: the networks and what steers them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -10,7 +10,7 @@ pub struct Memory {
     /// One network a region, in the world's order.
     pub(super) networks: Vec<Network>,
     /// Number of the next neuron.
-    next_neuron: u32,
+    pub(super) next_neuron: u32,
     /// `T(n)` of the present trial, degrees.
     pub(super) temperature_deg: f64,
     /// Best total reinforcement of a successful trial.
@@ -50,6 +50,7 @@ impl Memory {
             centre,
             prototypical_rad: start.prototypical_rad,
             mean_deg: start.mean_deg,
+            aim: start.aim,
             utility: start.utility,
             pending: self.best.is_some(),
             wins: 1,
@@ -90,6 +91,8 @@ pub(super) struct Start {
     pub(super) prototypical_rad: f64,
     /// `μ`, degrees.
     pub(super) mean_deg: f64,
+    /// Where the mean points, if a shortcut is taken over.
+    pub(super) aim: Option<Aim>,
     /// `u`.
     pub(super) utility: f64,
 }

@@ -8,6 +8,7 @@
 //! | `T(n)` | `temperature_deg` | computational temperature, Eq. (5.16)-(5.17) |
 //! | `σ, ξ, α` | [`Exploration`] | spread, draw and action, Eq. (5.12)-(5.15) |
 //! | `δ` | [`Update`] | temporal-difference error, Eq. (5.19) |
+//! | `q` | [`Aim`] | later point of the record path that a neuron aims at (A1) |
 //! | `R(n)` | [`TrialRecord`] | total reinforcement of trial `n`, Eq. (5.27) |
 //!
 //! One [`Learner`] runs Algorithm 9 as a state machine: [`Learner::decide`] takes an observation and
@@ -16,8 +17,9 @@
 
 mod algorithm;
 mod annealing;
-mod band;
+mod carry;
 mod critic;
+mod echoes;
 mod exchange;
 mod explanation;
 mod input;
@@ -25,10 +27,13 @@ mod memory;
 mod network;
 mod reward;
 mod settings;
+mod shortcut;
+mod sketch;
 mod stochastic;
 mod trial_end;
 
 pub use algorithm::{Learner, Recall, Silence};
+pub use carry::CarryError;
 pub use exchange::{Consequence, Decision, Observation};
 pub use explanation::*;
 pub use input::{DISTANCE_UNITS, INPUTS, Input, InputSettings, SonarFrame};
@@ -36,5 +41,6 @@ pub use memory::Memory;
 pub use network::{Network, Neuron, NoveltyMetric, Partition};
 pub use reward::{RewardSettings, reinforcement};
 pub use settings::{
-    ActionFrame, AfterRescue, Deviation, FirstAction, LearnerSettings, MeanUpdate, Replacement,
+    ActionFrame, AfterRescue, Carry, Deviation, Draw, FirstAction, Judge, LearnerSettings,
+    MeanUpdate, Replacement,
 };

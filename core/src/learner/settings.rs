@@ -1,7 +1,10 @@
 //! The learner's settings and the choices among readings.
 
+use super::echoes::Echoes;
 use super::{InputSettings, NoveltyMetric, Partition, RewardSettings};
 use crate::experiment::Settings;
+use crate::geometry::Pose;
+use crate::robot::{Readings, Robot};
 
 crate::choice! {
     /// Frame in which prototypical actions are stored.
@@ -41,10 +44,26 @@ crate::choice! {
 crate::choice! {
     /// How the mean of the exploration is set.
     pub enum MeanUpdate {
-        Band = "band": "from the record trajectory, contracted and pushed off walls (addition A1)",
+        Shortcut = "shortcut": "towards the later point of the record path that the critic values most (addition A1)",
         Gradient = "gradient": "by the TD error and the eligibility, Eq. (5.21)-(5.24)",
-        Both = "both": "both, the band last",
         Off = "off": "not at all: the mean stays 0",
+    }
+}
+
+crate::choice! {
+    /// What decides which later point a shortcut aims at.
+    pub enum Judge {
+        Critic = "critic": "predicted reinforcement of driving straight there, plus the utility there",
+        Farthest = "farthest": "the farthest along the path that is in view: no critic",
+    }
+}
+
+crate::choice! {
+    /// What a new neuron on a shortcut does (addition A2).
+    pub enum Carry {
+        HandOver = "hand-over": "carries the shortcut on, and takes over from the neuron where it ends",
+        Way = "way": "carries the shortcut on until it ends",
+        Off = "off": "asks its nearest neighbour, as any other",
     }
 }
 
@@ -54,6 +73,14 @@ crate::choice! {
         Forward = "forward": "in the order of time: the last visit to a neuron stays",
         Backward = "backward": "t = T, ..., 1 as printed: the first visit stays",
         Off = "off": "not at all",
+    }
+}
+
+crate::choice! {
+    /// How long a draw of the stochastic unit holds.
+    pub enum Draw {
+        Step = "step": "one step, Algorithm 9",
+        Activation = "activation": "as long as the same neuron stays active",
     }
 }
 
@@ -70,10 +97,12 @@ pub struct LearnerSettings {
     pub action_frame: ActionFrame,
     pub temperature_max_deg: f64,
     pub temperature_min_deg: f64,
+    pub carried_temperature_deg: f64,
     pub cooling: f64,
     pub exploit_from: u32,
     pub sigma_scale: f64,
     pub deviation: Deviation,
+    pub draw: Draw,
     pub first_action: FirstAction,
     pub inherit_radius: f64,
     pub forget_unrecorded: bool,
@@ -87,8 +116,12 @@ pub struct LearnerSettings {
     pub split_threshold: f64,
     pub backtrack: bool,
     pub replacement: Replacement,
-    pub band_repulsion: f64,
-    pub band_decay: f64,
+    pub shortcut_judge: Judge,
+    pub shortcut_clearance_m: f64,
+    pub shortcut_push: bool,
+    pub shortcut_carry: Carry,
+    pub sonar_range_m: f64,
+    pub sonar_cone_rad: f64,
     pub advance_m: f64,
 }
 
@@ -111,10 +144,12 @@ impl From<&Settings> for LearnerSettings {
             action_frame: settings.action_frame,
             temperature_max_deg: settings.temperature_max_deg,
             temperature_min_deg: settings.temperature_min_deg,
+            carried_temperature_deg: settings.carried_temperature_deg,
             cooling: settings.cooling,
             exploit_from: settings.exploit_from,
             sigma_scale: settings.sigma_scale,
             deviation: settings.deviation,
+            draw: settings.draw,
             first_action: settings.first_action,
             inherit_radius: settings.inherit_radius,
             forget_unrecorded: settings.forget_unrecorded,
@@ -128,9 +163,25 @@ impl From<&Settings> for LearnerSettings {
             split_threshold: settings.split_threshold,
             backtrack: settings.backtrack,
             replacement: settings.replacement,
-            band_repulsion: settings.band_repulsion,
-            band_decay: settings.band_decay,
+            shortcut_judge: settings.shortcut_judge,
+            shortcut_clearance_m: settings.shortcut_clearance_m,
+            shortcut_push: settings.shortcut_push,
+            shortcut_carry: settings.shortcut_carry,
+            sonar_range_m: settings.sonar_range_m,
+            sonar_cone_rad: settings.sonar_cone_deg.to_radians(),
             advance_m: settings.advance_m,
         }
+    }
+}
+
+impl LearnerSettings {
+    /// What the sonars show at a pose.
+    pub(super) fn echoes<'a>(
+        &self,
+        robot: &'a Robot,
+        pose: Pose,
+        sonar_m: &'a Readings,
+    ) -> Echoes<'a> {
+        Echoes::new(robot, pose, sonar_m, self.sonar_range_m, self.sonar_cone_rad)
     }
 }

@@ -1,8 +1,9 @@
 //! What is learned when a trial ends: back-tracking, replacement, proposals, forgetting.
 
-use super::band::chords;
-use super::{Change, LearnerSettings, MeanUpdate, Memory, NeuronId, Replacement};
-use crate::geometry::{Vec2, wrap_angle};
+use super::shortcut::Surveyor;
+use super::{Aim, Change, LearnerSettings, MeanUpdate, Memory, NeuronId, Proposal, Replacement};
+use crate::geometry::{Pose, Vec2};
+use crate::robot::{Readings, Robot};
 
 /// One step of the path, as remembered until the trial ends (section 5.9, Back Tracking).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +12,14 @@ pub(super) struct PathStep {
     pub(super) network: usize,
     /// `i(t)`.
     pub(super) neuron: NeuronId,
+    /// `μ`, degrees, as stored.
+    pub(super) mean_deg: f64,
+    /// Where its mean points, if it aims along a shortcut (A1).
+    pub(super) aim: Option<Aim>,
+    /// Believed pose where it acted.
+    pub(super) pose: Pose,
+    /// What the sonars read there, metres.
+    pub(super) sonar_m: Readings,
     /// `α(t)`, radians, in the action frame.
     pub(super) action_rad: f64,
     /// Direction of the action frame's zero in the odometry frame, radians.
@@ -19,8 +28,8 @@ pub(super) struct PathStep {
     pub(super) reinforcement: f64,
     /// Its safety part, Eq. (5.6).
     pub(super) safety: f64,
-    /// Believed displacement, metres.
-    pub(super) moved: Vec2,
+    /// Believed position after the step.
+    pub(super) reached: Vec2,
     /// Unit vector away from the nearest obstacle after the step.
     pub(super) away: Vec2,
 }
@@ -41,8 +50,8 @@ pub(crate) struct Changes {
     pub(crate) backed_up: Vec<Change>,
     /// Eq. (5.28), radians.
     pub(crate) replaced: Vec<Change>,
-    /// A1, degrees.
-    pub(crate) proposed: Vec<Change>,
+    /// A1.
+    pub(crate) proposed: Vec<Proposal>,
     /// D3.
     pub(crate) forgotten: Vec<NeuronId>,
     /// Eq. (5.25), or added.
@@ -52,6 +61,8 @@ pub(crate) struct Changes {
 /// Closes a trial in memory.
 pub(super) fn close(
     settings: &LearnerSettings,
+    robot: &Robot,
+    goal: Vec2,
     memory: &mut Memory,
     path: &[PathStep],
     born: &[(usize, NeuronId)],
@@ -64,12 +75,12 @@ pub(super) fn close(
     if record {
         memory.best = Some(total);
         changes.replaced = replace(settings, memory, path);
-        if matches!(settings.mean_update, MeanUpdate::Band | MeanUpdate::Both) {
-            changes.proposed = propose(settings, memory, path);
-        }
     }
     if reached_goal && settings.backtrack {
         changes.backed_up = back_up(memory, path);
+    }
+    if record && settings.mean_update == MeanUpdate::Shortcut {
+        changes.proposed = propose(settings, robot, goal, memory, path);
     }
     if !record && settings.forget_unrecorded && memory.best.is_some() {
         changes.forgotten = forget(memory, born);
@@ -105,19 +116,27 @@ fn replace(settings: &LearnerSettings, memory: &mut Memory, path: &[PathStep]) -
     changes
 }
 
-/// A1: `μ_i = arg z_t - p_i` at the last visit to each neuron.
-fn propose(settings: &LearnerSettings, memory: &mut Memory, path: &[PathStep]) -> Vec<Change> {
-    let mut changes = Vec::new();
-    for (step, chord) in path.iter().zip(chords(settings, path)) {
-        let Some(direction_rad) = chord else { continue };
-        if let Some(neuron) = memory.networks[step.network].get_mut(step.neuron) {
-            let before = neuron.mean_deg;
-            let aim_rad = direction_rad - step.frame_rad;
-            neuron.mean_deg = wrap_angle(aim_rad - neuron.prototypical_rad).to_degrees();
-            note(&mut changes, step.neuron, before, neuron.mean_deg);
+/// A1, after back-tracking: a neuron takes the proposal of its last visit.
+fn propose(
+    settings: &LearnerSettings,
+    robot: &Robot,
+    goal: Vec2,
+    memory: &mut Memory,
+    path: &[PathStep],
+) -> Vec<Proposal> {
+    let mut proposals: Vec<Proposal> = Vec::new();
+    for (t, proposal) in (Surveyor { settings, robot, goal, memory, path }).survey() {
+        let Some(neuron) = memory.networks[path[t].network].get_mut(proposal.neuron) else {
+            continue;
+        };
+        neuron.mean_deg = proposal.after_deg;
+        neuron.aim = Some(proposal.aim);
+        match proposals.iter_mut().find(|earlier| earlier.neuron == proposal.neuron) {
+            Some(earlier) => *earlier = proposal,
+            None => proposals.push(proposal),
         }
     }
-    changes
+    proposals
 }
 
 fn back_up(memory: &mut Memory, path: &[PathStep]) -> Vec<Change> {

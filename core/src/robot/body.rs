@@ -48,10 +48,9 @@ impl Body {
                 let half = Vec2::new(half_length_m, half_width_m);
                 let into_frame =
                     |point: Vec2| rotate(point - position, Vec2::new(direction.x, -direction.y));
-                let distances = world.walls().iter().map(|wall| {
+                world.nearest_to_body_m(position, self.reach_m(), |wall| {
                     box_distance_m(half, Segment { a: into_frame(wall.a), b: into_frame(wall.b) })
-                });
-                distances.fold(f64::INFINITY, f64::min)
+                })
             }
         }
     }

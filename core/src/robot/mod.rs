@@ -17,6 +17,7 @@ use std::f64::consts::TAU;
 pub use body::Body;
 pub use error::RobotError;
 pub use file::{BodyFile, RobotFile, SonarFile};
+pub(crate) use motion::Course;
 pub use motion::Motion;
 pub use ring::{MOST_SONARS, Mount, Readings};
 pub use simulated::{Sensed, SimulatedRobot, SimulationSettings};

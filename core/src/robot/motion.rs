@@ -37,30 +37,30 @@ pub(super) struct Turn {
 }
 
 /// A straight way ahead of the robot.
-pub(super) struct Course<'a> {
-    pub(super) world: &'a World,
-    pub(super) body: Body,
-    pub(super) settings: &'a SimulationSettings,
-    pub(super) start: Vec2,
+pub(crate) struct Course<'a> {
+    pub(crate) world: &'a World,
+    pub(crate) body: Body,
+    pub(crate) settings: &'a SimulationSettings,
+    pub(crate) start: Vec2,
     /// Unit vector of the heading.
-    pub(super) direction: Vec2,
+    pub(crate) direction: Vec2,
     /// Clearance of the body at the start, metres.
-    pub(super) start_clearance_m: f64,
+    pub(crate) start_clearance_m: f64,
 }
 
 /// How far the robot came.
-pub(super) struct Way {
-    pub(super) contact: Contact,
-    pub(super) advanced_m: f64,
-    pub(super) backed_m: f64,
+pub(crate) struct Way {
+    pub(crate) contact: Contact,
+    pub(crate) advanced_m: f64,
+    pub(crate) backed_m: f64,
     /// Clearance of the body at the end, metres.
-    pub(super) clearance_m: f64,
+    pub(crate) clearance_m: f64,
 }
 
 impl Course<'_> {
     /// Advances one step's way, unless the rotation before it was cut short, with the rescue if that
     /// ends in a collision.
-    pub(super) fn travel(&self, turned_into: Contact) -> Way {
+    pub(crate) fn travel(&self, turned_into: Contact) -> Way {
         let (contact, advanced_m) = match turned_into {
             Contact::None => self.advance(),
             stopped => (stopped, 0.0),

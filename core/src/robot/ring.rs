@@ -24,7 +24,7 @@ pub struct Mount {
 
 impl Mount {
     /// The fan of rays that stands for its cone.
-    pub(super) fn fan(&self) -> RayFan {
+    pub(crate) fn fan(&self) -> RayFan {
         RayFan { place: self.place, axis_rad: self.axis_rad }
     }
 }

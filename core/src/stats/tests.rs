@@ -149,3 +149,35 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn the_interval_of_a_median_is_that_of_the_tables() {
+    // Ranks from the table of Conover, Practical Nonparametric Statistics: n, lower rank from 1.
+    for (n, rank) in [(5, 1), (6, 1), (8, 1), (9, 2), (10, 2), (15, 4), (20, 6), (25, 8)] {
+        let sample: Vec<f64> = (1..=n).map(f64::from).collect();
+        let found = Estimate::median(&sample).expect("a sample");
+        assert_eq!(found.low, f64::from(rank), "n = {n}");
+        assert_eq!(found.high, f64::from(n + 1 - rank), "n = {n}");
+    }
+    assert_eq!(Estimate::median(&[]), None);
+    let alone = Estimate::median(&[3.0]).expect("one value");
+    assert_eq!((alone.value, alone.low, alone.high, alone.n), (3.0, 3.0, 3.0, 1));
+}
+
+#[test]
+fn a_bound_is_kept_only_by_a_whole_interval() {
+    let ours = |low, high, n| Estimate { value: f64::midpoint(low, high), low, high, n };
+    for (bound, low, high, n, verdict) in [
+        (Bound::AtLeast(95.0), 96.0, 99.0, 200, Verdict::Agrees),
+        (Bound::AtLeast(95.0), 95.0, 99.0, 200, Verdict::Agrees),
+        (Bound::AtLeast(95.0), 94.0, 99.0, 200, Verdict::CannotTell),
+        (Bound::AtLeast(95.0), 80.0, 94.0, 200, Verdict::Differs),
+        (Bound::AtMost(15.0), 3.0, 15.0, 200, Verdict::Agrees),
+        (Bound::AtMost(15.0), 14.0, 16.0, 200, Verdict::CannotTell),
+        (Bound::AtMost(15.0), 16.0, 18.0, 200, Verdict::Differs),
+        (Bound::AtMost(15.0), 3.0, 4.0, 9, Verdict::CannotTell),
+        (Bound::AtMost(15.0), f64::NAN, f64::NAN, 200, Verdict::CannotTell),
+    ] {
+        assert_eq!(bound.judge(&ours(low, high, n)), verdict, "{bound:?} {low} {high} {n}");
+    }
+}

@@ -6,27 +6,36 @@
 //! ([`World::region_at`], Algorithm 8 of section 5.6). All coordinates are in the world frame, in
 //! metres.
 
+mod bearing;
 mod check;
+mod dial;
+mod echoes;
 mod error;
 #[cfg(test)]
 pub(crate) mod examples;
 mod file;
 pub mod map;
+mod nearest;
 mod partition;
+mod ray;
 mod reach;
 mod region;
 mod scan;
 mod segments;
+mod tree;
 
 pub use check::{EXTENT_LIMIT_M, REGION_LIMIT, WALL_LIMIT};
 pub use error::WorldError;
 pub use file::{Axis, GoalFile, HomeFile, RegionFile, RuleFile, WorldFile};
 pub use partition::{DEFAULT_REGIONS, propose_regions, way_m};
+pub use ray::Hit;
 pub use region::{HalfPlane, Region};
 pub use scan::{RayFan, RayRing};
-pub use segments::{Hit, Segment};
+pub use segments::Segment;
 
 use crate::geometry::{Pose, Vec2};
+use nearest::{NearestBody, NearestPoint};
+use ray::Ray;
 use segments::Segments;
 
 /// Least radius of a robot that a way to the goal is looked for, metres.
@@ -226,18 +235,36 @@ impl World {
         off_floor || self.blocks.iter().any(|block| crossings([block], point) % 2 == 1)
     }
 
-    /// What a ray meets first within a range in metres; `direction` is a unit vector. A ray that
-    /// runs along a wall does not meet it.
+    /// What a ray meets first within a range in metres, the first in [`World::walls`] of equals;
+    /// `direction` is a unit vector. A ray that runs along a wall, or starts on it, does not meet it.
     #[must_use]
     pub fn nearest_m(&self, origin: Vec2, direction: Vec2, range_m: f64) -> Option<Hit> {
-        self.segments.nearest(origin, direction, range_m)
+        let mut ray = Ray::new(origin, direction, range_m);
+        self.segments.tree().walk(&mut ray);
+        ray.hit(self.walls())
     }
 
     /// Distance from a point to the nearest wall surface, metres, also from inside a block. Faster
     /// than [`World::clearance_m`], and the same for a body that never crosses a surface.
     #[must_use]
     pub(crate) fn surface_distance_m(&self, point: Vec2) -> f64 {
-        self.segments.distance_m(point)
+        let mut nearest = NearestPoint::new(point);
+        self.segments.tree().walk(&mut nearest);
+        nearest.distance_m()
+    }
+
+    /// The least of a measure of wall surfaces, metres, that is at least their distance from a point
+    /// less a reach in metres: how far a body is from them.
+    #[must_use]
+    pub(crate) fn nearest_to_body_m(
+        &self,
+        point: Vec2,
+        reach_m: f64,
+        measure_m: impl Fn(Segment) -> f64,
+    ) -> f64 {
+        let mut nearest = NearestBody::new(point, reach_m, measure_m);
+        self.segments.tree().walk(&mut nearest);
+        nearest.least_m
     }
 
     /// Whether the robot fits at home and can drive to the goal.

@@ -1,14 +1,13 @@
-//! Wall surfaces as segments, laid out so that distances are computed four at a time.
+//! Wall surfaces as segments, in a tree whose leaves are laid out so that four are handled at once.
 
 use crate::geometry::Vec2;
 
-/// Segments handled together. Sums and minima are taken lane by lane and folded in a fixed order,
-/// so the result does not depend on the instructions the compiler chooses.
-const LANES: usize = 4;
+use super::bearing::{Walls, into_frame};
+use super::tree::{Item, LANES, Tree};
 
-/// How far beyond its ends a segment still stops a ray, as a share of its length: walls that share
-/// a corner leave no gap through rounding.
-pub(super) const CORNER_OVERLAP: f64 = 1e-9;
+/// Allowance for rounding wherever something is left out for being too far away, metres. Off the
+/// line of a wall by [`GRAZING_M`](super::ray::GRAZING_M) a ray of 200 m meets it within 3 mm of where it should.
+pub(super) const SLACK_M: f64 = 0.01;
 
 /// A piece of wall surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,39 +28,36 @@ impl Segment {
     }
 }
 
-/// What a ray met.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
-    /// Way from the origin, metres.
-    pub distance_m: f64,
-    /// Angle between the ray and the surface's normal, radians, 0 (head on) to π/2 (grazing).
-    pub incidence_rad: f64,
-    /// Index of the segment in [`World::walls`](super::World::walls).
-    pub segment: usize,
-}
-
 /// All wall surfaces of a world.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Segments {
     list: Vec<Segment>,
-    fours: Vec<Four>,
+    tree: Tree,
 }
 
-/// Four segments, coordinate by coordinate.
+/// Up to four segments, coordinate by coordinate; the last fills the lanes left over.
+///
+/// Each lane is computed by itself and what lanes are folded into does not depend on the order, so
+/// no result depends on the instructions the compiler chooses.
 #[derive(Clone, Debug, PartialEq)]
-struct Four {
+pub(super) struct Leaf {
     ax: [f64; LANES],
     ay: [f64; LANES],
+    bx: [f64; LANES],
+    by: [f64; LANES],
     ex: [f64; LANES],
     ey: [f64; LANES],
     inverse_length2: [f64; LANES],
+    /// Indices in the world's order.
+    pub(super) index: [u32; LANES],
+    pub(super) count: usize,
 }
 
 impl Segments {
     /// Lays out segments of positive length; there must be at least one.
     pub(super) fn new(list: Vec<Segment>) -> Self {
-        let fours = list.chunks(LANES).map(Four::new).collect();
-        Self { list, fours }
+        let tree = Tree::new(&list);
+        Self { list, tree }
     }
 
     /// The segments in the world's order.
@@ -69,60 +65,63 @@ impl Segments {
         &self.list
     }
 
-    /// Distance from a point to the nearest segment, metres.
-    pub(super) fn distance_m(&self, point: Vec2) -> f64 {
-        let mut least2 = [f64::INFINITY; LANES];
-        for four in &self.fours {
-            four.lower_to_distance2(point, &mut least2);
-        }
-        libm::sqrt(least2.into_iter().fold(f64::INFINITY, f64::min))
-    }
-
-    /// The first segment along a ray, within a range. A ray along a segment does not meet it.
-    pub(super) fn nearest(&self, origin: Vec2, direction: Vec2, range_m: f64) -> Option<Hit> {
-        let mut nearest: Option<Hit> = None;
-        for (segment, &Segment { a, b }) in self.list.iter().enumerate() {
-            let edge = b - a;
-            let (offset, across) = (a - origin, direction.perp(&edge));
-            let distance_m = offset.perp(&edge) / across;
-            let along = offset.perp(&direction) / across;
-            let within = (-CORNER_OVERLAP..=1.0 + CORNER_OVERLAP).contains(&along);
-            let limit_m = nearest.map_or(range_m, |hit| hit.distance_m);
-            if within && distance_m >= 0.0 && distance_m < limit_m {
-                let cosine = (across.abs() / edge.norm()).min(1.0);
-                nearest = Some(Hit { distance_m, incidence_rad: libm::acos(cosine), segment });
-            }
-        }
-        nearest
+    /// The tree over the segments.
+    pub(super) fn tree(&self) -> &Tree {
+        &self.tree
     }
 }
 
-impl Four {
-    /// Up to four segments; the last fills the lanes left over.
-    fn new(segments: &[Segment]) -> Self {
+impl Leaf {
+    /// A leaf of one to four segments with their indices.
+    pub(super) fn new(items: &[Item]) -> Self {
         let lane = |value: fn(&Segment) -> f64| {
-            std::array::from_fn(|k| value(&segments[k.min(segments.len() - 1)]))
+            std::array::from_fn(|k| value(&items[k.min(items.len() - 1)].1))
         };
         Self {
             ax: lane(|segment| segment.a.x),
             ay: lane(|segment| segment.a.y),
+            bx: lane(|segment| segment.b.x),
+            by: lane(|segment| segment.b.y),
             ex: lane(|segment| segment.b.x - segment.a.x),
             ey: lane(|segment| segment.b.y - segment.a.y),
             inverse_length2: lane(|segment| 1.0 / (segment.b - segment.a).norm_squared()),
+            index: std::array::from_fn(|k| items[k.min(items.len() - 1)].0),
+            count: items.len(),
         }
     }
 
-    /// Lowers each lane to the squared distance of its segment, if that is less.
-    #[inline]
-    fn lower_to_distance2(&self, point: Vec2, least2: &mut [f64; LANES]) {
-        for (k, least2) in least2.iter_mut().enumerate() {
+    /// The segment of a lane.
+    pub(super) fn segment(&self, lane: usize) -> Segment {
+        let a = Vec2::new(self.ax[lane], self.ay[lane]);
+        Segment { a, b: Vec2::new(self.bx[lane], self.by[lane]) }
+    }
+
+    /// The segments as seen by a body at a position, heading along the unit vector `direction`.
+    #[inline(always)]
+    pub(super) fn in_frame(&self, position: Vec2, direction: Vec2) -> Walls {
+        let nothing = [0.0; LANES];
+        let mut walls = Walls { ax: nothing, ay: nothing, ex: nothing, ey: nothing };
+        for k in 0..LANES {
+            let a = into_frame(Vec2::new(self.ax[k], self.ay[k]) - position, direction);
+            let b = into_frame(Vec2::new(self.bx[k], self.by[k]) - position, direction);
+            (walls.ax[k], walls.ay[k]) = (a.x, a.y);
+            (walls.ex[k], walls.ey[k]) = (b.x - a.x, b.y - a.y);
+        }
+        walls
+    }
+
+    /// Squared distances from a point to the segments, m².
+    #[inline(always)]
+    pub(super) fn distances2(&self, point: Vec2) -> [f64; LANES] {
+        let mut distances2 = [0.0; LANES];
+        for (k, distance2) in distances2.iter_mut().enumerate() {
             let (px, py) = (point.x - self.ax[k], point.y - self.ay[k]);
             let along = (px * self.ex[k] + py * self.ey[k]) * self.inverse_length2[k];
             let along = if along > 0.0 { along } else { 0.0 };
             let along = if along < 1.0 { along } else { 1.0 };
             let (dx, dy) = (px - along * self.ex[k], py - along * self.ey[k]);
-            let distance2 = dx * dx + dy * dy;
-            *least2 = if distance2 < *least2 { distance2 } else { *least2 };
+            *distance2 = dx * dx + dy * dy;
         }
+        distances2
     }
 }

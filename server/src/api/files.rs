@@ -33,7 +33,7 @@ pub(super) async fn session(
     let Some(format) = format_of(&file, &SESSION_FILES) else {
         return Err(no_such_file(
             &file,
-            &[&SESSION_FILES[..], &["log.mcap", "arena.png"]].concat(),
+            &[&SESSION_FILES[..], &["log.mcap", "arena.png", "network"]].concat(),
         ));
     };
     app.lab.flush(&id).await;
@@ -143,7 +143,7 @@ fn no_such_file(file: &str, known: &[&str]) -> Failure {
 }
 
 /// A file that a browser shows if it can and saves under a good name.
-fn download(name: &str, format: &str, body: Body) -> Response {
+pub(super) fn download(name: &str, format: &str, body: Body) -> Response {
     let (kind, way) = match format {
         "html" => ("text/html; charset=utf-8", "inline"),
         "png" => ("image/png", "inline"),

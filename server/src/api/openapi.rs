@@ -49,6 +49,7 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(ticks::neurons))
         .routes(routes!(ticks::neuron))
         .routes(routes!(arena::picture))
+        .routes(routes!(sessions::network))
         .routes(routes!(starts::list))
         .routes(routes!(starts::picture))
         .routes(routes!(files::log))

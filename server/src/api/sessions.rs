@@ -6,9 +6,10 @@ use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 
 use super::extract::{Body, Path};
+use super::files::download;
 use super::problem::Failure;
 use super::{App, blocking};
-use crate::wire::{NewSession, Problem, Session};
+use crate::wire::{NetworkFile, NewSession, Problem, Session};
 
 /// Create a session; it is `queued` until it is started
 #[utoipa::path(post, path = "/sessions", tag = "sessions", request_body = NewSession,
@@ -25,6 +26,24 @@ pub(super) async fn create(
         response.headers_mut().insert(header::LOCATION, location);
     }
     Ok(response)
+}
+
+/// The session's trained networks as a file, as its last finished trial left them
+#[utoipa::path(get, path = "/sessions/{id}/network", tag = "results",
+    params(("id" = String, Path, description = "Identifier")),
+    responses((status = 200, body = NetworkFile), (status = 404, body = Problem),
+        (status = 409, description = "No trial has ended yet", body = Problem)))]
+pub(super) async fn network(
+    State(app): State<App>,
+    Path(id): Path<String>,
+) -> Result<Response, Failure> {
+    app.lab.flush(&id).await;
+    let name = format!("sonarium-{id}-network.json");
+    let trained = blocking(move || app.lab.trained(&id)).await?.ok_or_else(|| {
+        let detail = "no trial has ended yet; the networks can be had after the first";
+        Failure::new(StatusCode::CONFLICT, "too-early", "There is no network yet", detail)
+    })?;
+    Ok(download(&name, "json", trained.text.into()))
 }
 
 /// All sessions, newest first

@@ -126,6 +126,28 @@ async fn a_session_is_created_run_and_read() {
     let first = &neurons[0]["id"];
     let neuron = house.get(&path(&format!("/neurons/{first}"))).await.json();
     assert_eq!(neuron["centre"].as_array().map(Vec::len), Some(32));
+    let network = house.get(&path("/network")).await.json();
+    assert_eq!((&network["format"], &network["trials"]), (&json!("sonarium-network"), &json!(3)));
+    let starts = house.get(&path("/starts?at=1,0.5,90;-1,-2,0")).await.json();
+    let starts = starts.as_array().expect("a list");
+    assert_eq!(
+        starts.iter().map(|s| &s["start"]["y_m"]).collect::<Vec<_>>(),
+        [&json!(0.5), &json!(-2.0)]
+    );
+    assert!(
+        starts
+            .iter()
+            .all(|s| s["alone"]["path_m"][0] == json!([s["start"]["x_m"], s["start"]["y_m"]]))
+    );
+    let picture = house.get(&path("/starts.png?at=1,0.5,90&width=120&height=90")).await;
+    assert_eq!((picture.status, picture.kind.as_str()), (StatusCode::OK, "image/png"));
+    for (at, says) in
+        [("1,2", "three numbers"), ("-1.49,0,0", "touch a wall"), ("99,0,0", "within")]
+    {
+        let refused = house.get(&path(&format!("/starts?at={at}"))).await;
+        assert_eq!(refused.status, StatusCode::UNPROCESSABLE_ENTITY, "{at}");
+        assert!(refused.json()["detail"].as_str().is_some_and(|d| d.contains(says)), "{at}");
+    }
     assert_eq!(house.request("DELETE", &path(""), None).await.status, StatusCode::NO_CONTENT);
     assert_eq!(house.get(&path("")).await.status, StatusCode::NOT_FOUND);
 }

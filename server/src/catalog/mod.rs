@@ -1,6 +1,7 @@
 //! What can be run: experiments, robots, presets and worlds, and how a request becomes full settings.
 
 mod experiments;
+mod network;
 mod plan;
 mod presets;
 mod robots;
@@ -9,6 +10,7 @@ mod values;
 mod worlds;
 
 pub use experiments::Experiment;
+pub use network::Trained;
 pub use plan::{FieldError, Plan, speed as check_speed};
 pub use presets::Preset;
 pub use starts::starts_from_text;
@@ -24,6 +26,8 @@ use crate::wire::ExperimentInfo;
 
 /// Chapter 5 on the B21.
 pub const MINIMUM_COST_PATH: &str = "minimum-cost-path";
+/// The experiment of section 5.11's simulation.
+pub const MINIMUM_COST_PATH_TRC: &str = "minimum-cost-path-trc";
 /// Most trials a session may have.
 pub const MAX_TRIALS: u32 = 100_000;
 /// Trials of a session unless told otherwise: the set of section 5.10.

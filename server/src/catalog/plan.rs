@@ -9,12 +9,14 @@ use sonarium_core::robot::Robot;
 use sonarium_core::settings::{SettingError, Spec};
 
 use super::worlds::NamedWorld;
-use super::{Catalog, Experiment, MAX_TRIALS, presets, values, worlds};
+use super::{Catalog, Experiment, MAX_TRIALS, Trained, network, presets, values, worlds};
 use crate::clock;
 use crate::session::Names;
 use crate::store::SessionRow;
 use crate::wire::{NewSession, Speed, StartView};
 
+/// Key under which the values of a run say which networks it began with.
+const NETWORK: &str = "network";
 /// Greatest seed: every whole number up to it survives JSON in every language.
 const MAX_SEED: u64 = (1 << 53) - 1;
 /// Slowest and fastest pace in ticks a second.
@@ -39,6 +41,8 @@ pub struct Plan {
     pub values: BTreeMap<String, Json>,
     /// Keys whose value is not the default's.
     pub changed: Vec<String>,
+    /// Trained networks it begins with instead of empty ones.
+    pub network: Option<Arc<Trained>>,
     /// Altered starts to try the trained networks from.
     pub starts: Vec<StartView>,
     /// Seed.
@@ -75,25 +79,37 @@ impl Catalog {
         let experiment = self.find(&request.experiment)?;
         let name = name_in(&request.settings, "world")?.unwrap_or(&experiment.world);
         let world = self.worlds().fitting(name, &experiment.robot)?;
-        resolve_in(experiment, world, request)
+        if request.settings.contains_key(NETWORK) {
+            let message = "is no setting; give the networks as `network` (--network FILE)";
+            return Err(FieldError::new("settings.network", message));
+        }
+        resolve_in(experiment, world, network::asked(request)?, request)
     }
 
-    /// The plan of a stored session, in the world as it was when the session was created.
+    /// The plan of a stored session, in the world as it was when the session was created and with the
+    /// networks it began with.
     ///
     /// # Errors
     /// When this program no longer knows its experiment, its world or one of its settings.
-    pub fn restore(&self, row: &SessionRow) -> Result<Plan, FieldError> {
+    pub fn restore(&self, row: &SessionRow, network: Option<&str>) -> Result<Plan, FieldError> {
         let experiment = self.find(&row.experiment)?;
         let world = self.worlds().stored(&row.world, &row.world_text, &experiment.robot)?;
+        if network.is_none() && row.settings.contains_key(NETWORK) {
+            let message = "the networks that the session began with are missing from its folder";
+            return Err(FieldError::new("network", message));
+        }
+        let network = network.map(Trained::read).transpose()?.map(Arc::new);
         resolve_in(
             experiment,
             world,
+            network,
             &NewSession {
                 experiment: row.experiment.clone(),
                 seed: Some(row.seed),
                 settings: row.settings.clone(),
                 trials: Some(row.trials),
                 speed: Some(row.speed),
+                network: None,
             },
         )
     }
@@ -111,12 +127,13 @@ impl Catalog {
 fn resolve_in(
     experiment: &Experiment,
     world: NamedWorld,
+    network: Option<Arc<Trained>>,
     request: &NewSession,
 ) -> Result<Plan, FieldError> {
     let preset = name_in(&request.settings, "preset")?.unwrap_or(presets::DEFAULT);
     let mut settings = experiment.defaults.clone();
     for (key, value) in experiment.preset(preset)?.iter().chain(&request.settings) {
-        if !matches!(key.as_str(), "preset" | "world") {
+        if !matches!(key.as_str(), "preset" | "world" | NETWORK) {
             assign(&mut settings, key, value)?;
         }
     }
@@ -130,10 +147,15 @@ fn resolve_in(
             changed.insert(0, key.into());
         }
     }
-    Ok(Plan {
+    if let Some(network) = &network {
+        values.insert(NETWORK.into(), network.label().into());
+        changed.insert(0, NETWORK.into());
+    }
+    let plan = Plan {
         experiment: experiment.name.clone(),
         preset: preset.to_owned(),
         robot: Arc::clone(&experiment.robot),
+        network: network.clone(),
         starts: experiment.starts_in(&world.name).to_vec(),
         world,
         settings,
@@ -142,7 +164,9 @@ fn resolve_in(
         seed: seed(request.seed)?,
         trials: trials(request.trials.unwrap_or(experiment.trials))?,
         speed: speed(request.speed.unwrap_or(DEFAULT_SPEED))?,
-    })
+    };
+    network.map_or(Ok(()), |network| network.check(&plan))?;
+    Ok(plan)
 }
 
 impl Plan {

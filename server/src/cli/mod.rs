@@ -15,6 +15,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use sonarium_core::world::WorldError;
 use tracing_subscriber::EnvFilter;
 
 use crate::catalog::{CatalogError, FieldError};
@@ -100,6 +101,12 @@ fn cores() -> usize {
 impl From<FieldError> for Failure {
     fn from(error: FieldError) -> Self {
         Self::Input(error.to_string())
+    }
+}
+
+impl From<WorldError> for Failure {
+    fn from(error: WorldError) -> Self {
+        Self::Failed(error.to_string())
     }
 }
 

@@ -40,7 +40,7 @@ pub(super) fn table(result: &RunResult) -> String {
         result.seed,
         result.build
     );
-    text += "trial   steps  total reinforcement  neurons  collisions  temperature (deg)  goal\n";
+    text += "trial   steps  total reinforcement  regret  neurons  collisions  temperature (deg)  goal\n";
     for trial in &result.trials {
         text += &row(trial);
     }
@@ -48,6 +48,9 @@ pub(super) fn table(result: &RunResult) -> String {
     text += &format!("{} of {} trials reached the goal", summary.reached, summary.trials);
     if let (Some(best), Some(trial)) = (summary.best_total_reinforcement, summary.best_trial) {
         text += &format!("; best total reinforcement {best:.2} in trial {trial}");
+    }
+    if let Some(planned) = summary.planned_total_reinforcement {
+        text += &format!("; the best path a planner finds has {planned:.2}");
     }
     text += &format!("; {} control steps, {} neurons", summary.steps, summary.neurons);
     text + &starts(&result.starts)
@@ -86,10 +89,11 @@ fn ending(excursion: &ExcursionView) -> &'static str {
 
 fn row(trial: &Trial) -> String {
     format!(
-        "{:>5}  {:>6}  {:>19.2}  {:>7}  {:>10}  {:>17.1}  {}\n",
+        "{:>5}  {:>6}  {:>19.2}  {:>6}  {:>7}  {:>10}  {:>17.1}  {}\n",
         trial.trial,
         trial.steps,
         trial.total_reinforcement,
+        trial.regret.map_or_else(|| "-".into(), |regret| format!("{regret:.2}")),
         trial.neurons,
         trial.collisions,
         trial.temperature_deg,

@@ -11,10 +11,11 @@ use serde_json::Value as Json;
 
 use super::{Failure, cores, default_data, output, world};
 use crate::batch;
-use crate::catalog::{Catalog, FieldError, Plan, flatten, from_text, starts_from_text};
+use crate::catalog::{Catalog, FieldError, Plan, Trained, flatten, from_text, starts_from_text};
 use crate::session::{Run, check_starts};
 use crate::wire::{NewSession, RunResult};
 
+mod network;
 mod recorded;
 
 /// Most seeds in one call.
@@ -48,6 +49,12 @@ pub(super) struct Arguments {
     /// --start 1,0.5,90; may be given again. When missing, those of the experiment, if it has any
     #[arg(long, value_name = "X,Y,DEG", allow_hyphen_values = true)]
     start: Vec<String>,
+    /// File of trained networks to begin with instead of empty ones
+    #[arg(long, value_name = "FILE")]
+    network: Option<PathBuf>,
+    /// File to write the trained networks to; with several seeds its name must hold {seed}
+    #[arg(long, value_name = "FILE")]
+    save_network: Option<String>,
     /// Folder for logs and reports; `sonarium serve --data DIR` shows them
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -77,12 +84,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Run::new(plan)?;
         check_starts(plan, &plan.starts)?;
     }
+    let save = network::Target::new(arguments.save_network.as_deref(), plans.len())?;
     let trials = plans.iter().map(|plan| u64::from(plan.trials)).sum();
     let progress = output::progress(trials, "trials");
-    let print = |result: RunResult| progress.suspend(|| print(&result, arguments.json));
+    let take = |result: RunResult, network: &Trained| {
+        save.as_ref().map_or(Ok(()), |save| save.write(network))?;
+        progress.suspend(|| print(&result, arguments.json))
+    };
     match &arguments.out {
-        Some(folder) => recorded::run(catalog, &requests, &plans, folder, &progress, print)?,
-        None => run_all(&plans, &progress, print)?,
+        Some(folder) => recorded::run(catalog, &requests, &plans, folder, &progress, take)?,
+        None => run_all(&plans, &progress, take)?,
     }
     progress.finish_and_clear();
     Ok(())
@@ -114,10 +125,13 @@ fn print(result: &RunResult, json: bool) -> Result<(), Failure> {
 fn run_all(
     plans: &[Plan],
     progress: &ProgressBar,
-    mut take: impl FnMut(RunResult) -> Result<(), Failure>,
+    mut take: impl FnMut(RunResult, &Trained) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let work = |plan: &Plan| batch::set(plan, || progress.inc(1));
-    batch::in_order(plans, cores(), work, |result| take(result?))
+    let work = |plan: &Plan| batch::trained_set(plan, || progress.inc(1));
+    batch::in_order(plans, cores(), work, |done| {
+        let (result, network) = done?;
+        take(result, &network)
+    })
 }
 
 /// What a configuration file says.
@@ -135,12 +149,14 @@ fn requests(arguments: &Arguments) -> Result<Vec<NewSession>, Failure> {
     let config = arguments.config.as_ref().map(read_config).transpose()?.unwrap_or_default();
     let mut settings = flatten(config.settings);
     settings.extend(arguments.set.iter().map(|set| (set.key.clone(), set.value.clone())));
+    let network = arguments.network.as_deref().map(network::read).transpose()?;
     let request = |seed| NewSession {
         experiment: arguments.experiment.clone(),
         seed,
         settings: settings.clone(),
         trials: arguments.trials.or(config.trials),
         speed: None,
+        network: network.clone(),
     };
     Ok(match arguments.seeds {
         Some(Seeds { first, last }) => (first..=last).map(|seed| request(Some(seed))).collect(),

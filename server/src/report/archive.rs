@@ -55,6 +55,9 @@ pub fn zip<W: Write + Seek>(
     for (index, picture) in report.pictures.iter().enumerate() {
         archive.stored(&picture_path(index, picture), &picture.png)?;
     }
+    if let Some(network) = &report.network {
+        archive.text("network.json", network)?;
+    }
     let missing = archive.trials(report, trial)?;
     if let Some(log) = log {
         archive.log(log)?;

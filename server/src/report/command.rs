@@ -15,8 +15,13 @@ pub(super) fn repeat_command(report: &SessionReport) -> String {
     let (seed, trials) = (session.seed, session.trials);
     let run = format!("sonarium run {} --seed {seed} --trials {trials}", word(&session.experiment));
     let mut lines = vec![run, set("preset", &session.preset), set("world", &session.world)];
+    if session.settings.contains_key("network") {
+        // The zip holds the file under this name.
+        lines.push("--network network.json".to_owned());
+    }
     for (key, value) in &session.settings {
-        if key != "preset" && key != "world" && !preset_gives(report, key, value) {
+        let named = matches!(key.as_str(), "preset" | "world" | "network");
+        if !named && !preset_gives(report, key, value) {
             lines.push(set(key, &value_text(value)));
         }
     }
@@ -66,10 +71,10 @@ mod tests {
     #[test]
     fn what_a_preset_gives_is_left_out_and_what_undoes_it_is_named() {
         let mut report = sample::session_report();
-        report.preset.settings.insert("band.proposal".into(), Value::from(false));
-        assert!(repeat_command(&report).contains("--set band.proposal=true"));
-        report.session.settings.insert("band.proposal".into(), Value::from(false));
-        assert!(!repeat_command(&report).contains("band.proposal"));
+        report.preset.settings.insert("shortcut.push".into(), Value::from(false));
+        assert!(repeat_command(&report).contains("--set shortcut.push=true"));
+        report.session.settings.insert("shortcut.push".into(), Value::from(false));
+        assert!(!repeat_command(&report).contains("shortcut.push"));
     }
 
     #[test]

@@ -67,7 +67,7 @@ const fn column<Row>(
     Column { name, meaning, value }
 }
 
-const TRIAL_COLUMNS: [Column<Trial>; 15] = [
+const TRIAL_COLUMNS: [Column<Trial>; 16] = [
     column("trial", "trial, from 1", |t| t.trial.to_string()),
     column("reached_goal", "true, or false when the trial was capped", |t| {
         t.reached_goal.to_string()
@@ -75,6 +75,9 @@ const TRIAL_COLUMNS: [Column<Trial>; 15] = [
     column("steps", "control steps taken", |t| t.steps.to_string()),
     column("total_reinforcement", "R(n), Eq. (5.27); undefined for a capped trial", |t| {
         t.total_reinforcement.to_string()
+    }),
+    column("regret", "what the best path a planner finds earns more than R(n)", |t| {
+        optional(t.regret.as_ref())
     }),
     column("safety", "share of R(n) from f1, Eq. (5.6)", |t| t.safety.to_string()),
     column("goal", "share of R(n) from f2, Eq. (5.7)", |t| t.goal.to_string()),

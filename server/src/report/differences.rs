@@ -122,7 +122,7 @@ mod tests {
     fn settings_are_grouped_by_standing() {
         let differences = Differences::of(&sample::session_report());
         assert_eq!(keys(&differences.deviations), ["exploration.scale", "goal.radius"]);
-        assert_eq!(keys(&differences.additions), ["band.proposal"]);
+        assert_eq!(keys(&differences.additions), ["shortcut.push"]);
         assert_eq!(keys(&differences.readings), ["action.frame"]);
         assert_eq!(keys(&differences.gaps), ["reflex.turn"]);
         assert_eq!(keys(&differences.simulation), ["sonar.noise", "odometry.drift"]);

@@ -9,7 +9,7 @@ use super::differences::Differences;
 use super::{SessionReport, TrialReport};
 use crate::wire::{
     AlteredStartView, LogEntry, PresetInfo, Session, SettingInfo, Summary, TickView, Trial,
-    TrialEndView, WorldView,
+    TrialEndView, WorldView, Yardstick,
 };
 
 /// Version of both JSON files, in `format_version`.
@@ -26,6 +26,7 @@ pub fn json(report: &SessionReport) -> String {
         settings: &session.settings,
         trials: &report.trials,
         summary: &report.summary,
+        yardstick: &report.yardstick,
         starts: &report.starts,
         differences: Differences::of(report),
         events: &report.events,
@@ -65,6 +66,7 @@ struct SessionFile<'a> {
     settings: &'a BTreeMap<String, Value>,
     trials: &'a [Trial],
     summary: &'a Summary,
+    yardstick: &'a Yardstick,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     starts: &'a [AlteredStartView],
     differences: Differences,

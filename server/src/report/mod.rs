@@ -32,7 +32,7 @@ pub use trial_page::trial_html;
 
 use crate::wire::{
     AlteredStartView, LogEntry, PresetInfo, Session, SettingInfo, Summary, TickView, Trial,
-    TrialEndView, WorldView,
+    TrialEndView, WorldView, Yardstick,
 };
 
 /// Everything the report of a session is made from.
@@ -44,6 +44,8 @@ pub struct SessionReport {
     pub session: Session,
     /// Summary over its trials.
     pub summary: Summary,
+    /// The best path a planner finds.
+    pub yardstick: Yardstick,
     /// Its trials, in order.
     pub trials: Vec<Trial>,
     /// Every setting of the experiment.
@@ -52,6 +54,8 @@ pub struct SessionReport {
     pub preset: PresetInfo,
     /// The world it runs in.
     pub world: WorldView,
+    /// The file of the networks it began with, if it began with some.
+    pub network: Option<String>,
     /// What the networks do from altered starts, where there are any.
     pub starts: Vec<AlteredStartView>,
     /// The event log, oldest first.

@@ -43,6 +43,7 @@ fn explained(names: &BTreeSet<String>) -> Vec<(&str, &'static str)> {
         ("report.html", "the report, for reading and printing"),
         ("report.json", "the report, complete, for programs"),
         ("trials.csv", "the trial table, for spreadsheets"),
+        ("network.json", "the networks the session began with"),
         ("log.mcap", "every control step with its explanation (MCAP, JSON messages)"),
     ];
     lines.extend(single.into_iter().filter(|(name, _)| names.contains(*name)));

@@ -16,11 +16,23 @@ pub(super) fn trial_report() -> TrialReport {
             trial,
             backed_up: (60..88).map(|n| change(n, -0.31, -0.21 * f64::from(88 - n))).collect(),
             replaced: (60..88).map(|n| change(n, 12.5, 9.75 + f64::from(n % 7))).collect(),
-            proposed: (64..88).map(|n| change(n, 0.0, -4.5 + f64::from(n % 5))).collect(),
+            proposed: (64..88).map(proposal).collect(),
             forgotten: Vec::new(),
             neurons: vec![neuron(1), neuron(2)],
         },
         picture: Some(picture(4)),
+    }
+}
+
+fn proposal(neuron: u32) -> ProposalView {
+    ProposalView {
+        neuron,
+        before: 0.0,
+        after: -4.5 + f64::from(neuron % 5),
+        aim: AimView { x_m: 3.62, y_m: -0.42, then: Some(neuron + 4) },
+        step: neuron - 60,
+        straight: -0.8,
+        utility: -0.21 * f64::from(88 - neuron),
     }
 }
 
@@ -58,6 +70,7 @@ fn tick(trial: &Trial, step: u32) -> TickView {
         neuron: Some(40 + step),
         prototypical_deg: 35.0 * (0.2 * turn).sin(),
         utility: (!step.is_multiple_of(4)).then_some(-0.4 * (29.0 - turn)),
+        aim: None,
         exploration: ExplorationView {
             temperature_deg: trial.temperature_deg,
             mean_deg: -6.5,

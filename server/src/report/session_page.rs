@@ -90,6 +90,12 @@ fn results(report: &SessionReport) -> Markup {
                     fixed_or_nothing(last_of(report, |trial| trial.total_reinforcement), 2),
                     last_note(report),
                 ),
+                yardstick(report),
+                number(
+                    "Last regret",
+                    fixed_or_nothing(summary.last_regret, 2),
+                    summary.last_regret_pct.map(|share| format!("{share:.0} % of the best path's cost")).unwrap_or_default(),
+                ),
                 number(
                     "Steps of the last trial",
                     count_or_nothing(summary.last_steps),
@@ -100,6 +106,16 @@ fn results(report: &SessionReport) -> Markup {
                 number("Control steps", grouped(summary.steps), "over all trials".into()),
             ]))
         }
+    }
+}
+
+/// The best path a planner finds, which knows the world and the cost beforehand.
+fn yardstick(report: &SessionReport) -> KeyNumber {
+    let planned = report.yardstick.ready();
+    KeyNumber {
+        name: "Best path a planner finds",
+        value: fixed_or_nothing(planned.map(|path| path.total_reinforcement), 2),
+        note: planned.map_or("none to compare with".into(), |path| format!("{} steps", path.steps)),
     }
 }
 
@@ -138,10 +154,18 @@ fn learning(report: &SessionReport) -> Markup {
     };
     let neurons =
         report.trials.iter().map(|t| (number_of(t), Some(f64::from(t.neurons)))).collect();
+    let planned = report.yardstick.ready();
+    let best_steps = planned.map(|path| f64::from(path.steps));
+    let best_reinforcement = planned.map(|path| path.total_reinforcement);
     let curves = [
-        ("Neurons after the trial", "neurons", neurons),
-        ("Steps to the goal", "control steps", reached(|trial| f64::from(trial.steps))),
-        ("Total reinforcement R(n)", "", reached(|trial| trial.total_reinforcement)),
+        ("Neurons after the trial", "neurons", neurons, None),
+        ("Steps to the goal", "control steps", reached(|trial| f64::from(trial.steps)), best_steps),
+        (
+            "Total reinforcement R(n)",
+            "",
+            reached(|trial| trial.total_reinforcement),
+            best_reinforcement,
+        ),
     ];
     html! {
         section class="learning" {
@@ -154,8 +178,8 @@ fn learning(report: &SessionReport) -> Markup {
                     "steps and R(n): it is a gap in the curve and a cross on the axis."
                 }
                 div class="charts" {
-                    @for (title, unit, points) in curves {
-                        (curve(report, title, unit, points, failed.clone()))
+                    @for (title, unit, points, best) in curves {
+                        (curve(report, (title, unit), points, best, failed.clone()))
                     }
                 }
             }
@@ -169,18 +193,23 @@ fn number_of(trial: &Trial) -> f64 {
 
 fn curve(
     report: &SessionReport,
-    title: &str,
-    unit: &str,
+    (title, unit): (&str, &str),
     points: Vec<(f64, Option<f64>)>,
+    best: Option<f64>,
     failed: Vec<f64>,
 ) -> Markup {
     let last = report.trials.last().map_or(1.0, number_of);
+    let mut series = vec![Series { name: "this run", points }];
+    series.extend(best.map(|best| Series {
+        name: "best path a planner finds",
+        points: vec![(1.0, Some(best)), (last, Some(best))],
+    }));
     let chart = Chart {
         title,
         unit,
         x_name: "Trial",
         x_range: [1.0, last],
-        series: vec![Series { name: "this run", points }],
+        series,
         marks: Some(Marks { name: "goal not reached", at: failed }),
         from_zero: false,
     };

@@ -4,17 +4,18 @@ use maud::{Markup, html};
 
 use super::SessionReport;
 use super::differences::{Difference, Differences, same_value};
-use super::number::{NOTHING, fixed, time_text, value_for_people};
+use super::number::{NOTHING, fixed, fixed_or_nothing, time_text, value_for_people};
 use super::page::{Heading, number, numbers, table, words};
 use crate::wire::{AlteredStartView, ExcursionView, LogEntry, PresetInfo, SettingInfo, Trial};
 
 /// One row a trial.
 pub(super) fn trials_table(report: &SessionReport) -> Markup {
-    const HEADINGS: [Heading; 12] = [
+    const HEADINGS: [Heading; 13] = [
         numbers("Trial", ""),
         words("Goal"),
         numbers("Steps", ""),
         numbers("R(n)", "total"),
+        numbers("Regret", "R* − R(n)"),
         numbers("f₁", "Eq. 5.6"),
         numbers("f₂", "Eq. 5.7"),
         numbers("Collisions", ""),
@@ -26,10 +27,10 @@ pub(super) fn trials_table(report: &SessionReport) -> Markup {
     ];
     let rows = html! {
         @for trial in &report.trials { (trial_row(trial, report.summary.best_trial)) }
-        @if report.trials.is_empty() { tr { td colspan="12" { "No trial has ended yet" } } }
+        @if report.trials.is_empty() { tr { td colspan="13" { "No trial has ended yet" } } }
     };
-    let caption =
-        "R(n) = f₁ + f₂, safety and goal; in brackets what was paid until the trial was capped";
+    let caption = "R(n) = f₁ + f₂, safety and goal; in brackets what was paid until the trial was capped; \
+         R* is what the best path a planner finds earns";
     table("trials", caption, &HEADINGS, rows)
 }
 
@@ -50,6 +51,7 @@ fn trial_row(trial: &Trial, best: Option<u32>) -> Markup {
             td { (outcome) }
             (number(defined(trial.steps.to_string())))
             (number(defined(fixed(trial.total_reinforcement, 2))))
+            (number(fixed_or_nothing(trial.regret, 2)))
             (number(fixed(trial.safety, 2)))
             (number(fixed(trial.goal, 2)))
             (number(trial.collisions.to_string()))

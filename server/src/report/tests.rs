@@ -141,8 +141,9 @@ fn the_curves_leave_the_failed_trial_out() {
     let marks: Vec<usize> = svgs.iter().map(|svg| svg.matches("class=\"mark\"").count()).collect();
     // Trial 1 stands alone before the gap: it is a dot, not a line.
     let dots: Vec<usize> = svgs.iter().map(|svg| svg.matches("<circle").count()).collect();
-    assert_eq!(dots, [20, 19, 19], "neurons are defined for a failed trial, steps and R are not");
-    assert_eq!(lines, [1, 1, 1]);
+    // Neurons are defined for a failed trial, steps and R are not; both have the planner's line as well.
+    assert_eq!(dots, [20, 19 + 2, 19 + 2]);
+    assert_eq!(lines, [1, 2, 2]);
     assert_eq!(marks, [1, 1, 1]);
 }
 
@@ -170,7 +171,7 @@ fn trials_csv_reads_back_to_the_same_bits() {
     let text = csv(&report);
     let table = cells(&text);
     assert_eq!(table.len(), 1 + 20);
-    assert!(table.iter().all(|row| row.len() == 15 + 4), "15 columns and 4 regions");
+    assert!(table.iter().all(|row| row.len() == 16 + 4), "16 columns and 4 regions");
     let columns: [Column<Trial>; 5] = [
         ("temperature_deg", |t| t.temperature_deg),
         ("total_reinforcement", |t| t.total_reinforcement),
@@ -237,7 +238,7 @@ fn session_json_starts_with_the_contract_and_keeps_all_bits() {
     assert_eq!(value["format_version"], FORMAT_VERSION);
     assert_eq!(value["events"].as_array().map(Vec::len), Some(4));
     assert_eq!(value["settings_info"].as_array().map(Vec::len), Some(10));
-    assert_eq!(value["differences"]["additions"][0]["key"], "band.proposal");
+    assert_eq!(value["differences"]["additions"][0]["key"], "shortcut.push");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::number::{NOTHING, count_or_nothing, fixed, fixed_or_nothing};
 use super::page::{Heading, number, numbers, table, words};
-use crate::wire::{AdaptationView, ChangeView, TickView, Trial, TrialEndView};
+use crate::wire::{AdaptationView, ChangeView, ProposalView, TickView, Trial, TrialEndView};
 
 /// Total reinforcement by its two parts, with the steps that paid.
 pub(super) fn parts_table(trial: &Trial, ticks: &[TickView]) -> Markup {
@@ -45,12 +45,12 @@ pub(super) fn regions_table(trial: &Trial) -> Markup {
     table("regions", "Control steps by the region the robot believed to be in", &HEADINGS, rows)
 }
 
-/// What the learner did at the end: back-tracking, replacement, band proposal, deletion.
+/// What the learner did at the end: back-tracking, replacement, shortcuts, deletion.
 pub(super) fn changes_tables(end: &TrialEndView) -> Markup {
     html! {
         (change_table("Utilities set by back-tracking, Eq. 5.26", "u", "", &end.backed_up, 3))
         (change_table("Prototypical actions replaced, Eq. 5.28", "p", "deg", &end.replaced, 1))
-        (change_table("Means set by the band proposal, addition A1", "μ", "deg", &end.proposed, 1))
+        (proposal_table(&end.proposed))
         h3 { "Neurons deleted, deviation D3" }
         @if end.forgotten.is_empty() {
             p class="note" { "None" }
@@ -90,6 +90,42 @@ fn change_table(
                     }
                 }
             }
+        }
+    }
+}
+
+/// The shortcuts: which later point, and what the critic expects of it.
+fn proposal_table(proposals: &[ProposalView]) -> Markup {
+    const HEADINGS: [Heading; 7] = [
+        numbers("Neuron", ""),
+        numbers("Aims at step", "of the record path"),
+        numbers("x", "m"),
+        numbers("y", "m"),
+        numbers("Straight there", "reinforcement"),
+        numbers("u there", "utility"),
+        numbers("μ", "deg"),
+    ];
+    let rows = html! {
+        @for proposal in proposals {
+            tr {
+                th scope="row" class="n" { (proposal.neuron) }
+                (number(proposal.step.to_string()))
+                (number(fixed(proposal.aim.x_m, 2)))
+                (number(fixed(proposal.aim.y_m, 2)))
+                (number(fixed(proposal.straight, 3)))
+                (number(fixed(proposal.utility, 3)))
+                (number(fixed(proposal.after, 1)))
+            }
+        }
+    };
+    let caption = "The later point in view with the greatest predicted return: reinforcement of \
+                   driving straight there, plus the utility there";
+    html! {
+        h3 { "Shortcuts proposed, addition A1" }
+        @if proposals.is_empty() {
+            p class="note" { "None" }
+        } @else {
+            (table("shortcuts", caption, &HEADINGS, rows))
         }
     }
 }

@@ -6,12 +6,14 @@ use crate::wire::{ReproductionCurve, ReproductionRow};
 /// One line a row.
 #[must_use]
 pub fn rows_csv(rows: &[ReproductionRow]) -> String {
-    let header = ["name", "published", "ours", "low", "high", "n", "unit", "verdict", "reading"];
+    let header =
+        ["name", "published", "required", "ours", "low", "high", "n", "unit", "verdict", "reading"];
     let mut text = csv_line(&header.map(String::from));
     for row in rows {
         text += &csv_line(&[
             row.name.clone(),
             optional(row.published),
+            row.required.clone().unwrap_or_default(),
             row.ours.to_string(),
             row.low.to_string(),
             row.high.to_string(),
@@ -62,6 +64,7 @@ mod tests {
         let row = ReproductionRow {
             name: "default: steps".into(),
             published: None,
+            required: None,
             ours: 27.5,
             low: 27.0,
             high: 28.0,
@@ -74,7 +77,7 @@ mod tests {
         let line = text.lines().nth(1).expect("a row");
         assert_eq!(
             line,
-            "default: steps,,27.5,27,28,200,,cannot tell,\"read as \"\"few\"\", or so\""
+            "default: steps,,,27.5,27,28,200,,cannot tell,\"read as \"\"few\"\", or so\""
         );
     }
 

@@ -2,7 +2,9 @@
 
 use sonarium_core::stats::Estimate;
 
-use super::{Findings, PRESETS, Picture, ReproductionError, Row, SEEDS, Sample, Set, Sets, Target};
+use super::{
+    Findings, PRESETS, PUBLISHED, Picture, ReproductionError, Row, SEEDS, Sample, Set, Sets, Target,
+};
 use crate::catalog::{DEFAULT_TRIALS, MINIMUM_COST_PATH};
 use crate::render::ArenaView;
 use crate::session::Scenery;
@@ -24,6 +26,7 @@ pub static FIGURE_5_10: Target = Target {
         "A trial that does not reach the goal skips nothing, passes nothing and heads nowhere: it \
          counts against the shares, and not in the means over crossings",
     ],
+    rule: PUBLISHED,
     experiment: MINIMUM_COST_PATH,
     arms: PRESETS,
     trials: DEFAULT_TRIALS,
@@ -185,7 +188,7 @@ impl<'a> Way<'a> {
 }
 
 fn distance_m([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
-    (ax - bx).hypot(ay - by)
+    ((ax - bx) * (ax - bx) + (ay - by) * (ay - by)).sqrt()
 }
 
 /// First and last trial of the first set.

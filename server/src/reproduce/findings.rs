@@ -52,6 +52,7 @@ impl Row<'_> {
         Some(ReproductionRow {
             name: format!("{}: {}", sample.arm.name, self.name),
             published: self.published,
+            required: None,
             ours: ours.value,
             low: ours.low,
             high: ours.high,

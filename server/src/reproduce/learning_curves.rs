@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use sonarium_core::stats::{self, Estimate};
 
-use super::{Findings, PRESETS, ReproductionError, Row, SEEDS, Sample, Set, Sets, Target, curve};
+use super::{
+    Findings, PRESETS, PUBLISHED, ReproductionError, Row, SEEDS, Sample, Set, Sets, Target, curve,
+};
 use crate::catalog::{DEFAULT_TRIALS, MINIMUM_COST_PATH};
 use crate::wire::{ReproductionRow, Trial};
 
@@ -28,6 +30,7 @@ const CURVES: Target = Target {
     compares: COMPARES,
     source: "Figure 5.11, sections 5.11 and 5.12",
     readings: READINGS,
+    rule: PUBLISHED,
     experiment: MINIMUM_COST_PATH,
     arms: PRESETS,
     trials: DEFAULT_TRIALS,
@@ -276,7 +279,13 @@ mod tests {
         let sample = crate::testing::undisturbed(1).remove(0);
         let trials =
             (1..).zip(steps).map(|(trial, steps)| Trial { trial, steps, ..sample.clone() });
-        Set { seed: 1, trials: trials.collect(), first_path_m: Vec::new(), last_path_m: Vec::new() }
+        Set {
+            seed: 1,
+            trials: trials.collect(),
+            first_path_m: Vec::new(),
+            last_path_m: Vec::new(),
+            starts: Vec::new(),
+        }
     }
 
     #[test]

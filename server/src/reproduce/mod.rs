@@ -6,11 +6,16 @@
 //!
 //! To add one, write a file with a `static` [`Target`] and name it in [`TARGETS`].
 
+mod ablations;
 mod csv;
 mod curve;
 mod figure_5_10;
+mod figure_5_8;
+mod figure_5_9;
 mod findings;
 mod learning_curves;
+mod required;
+mod robustness;
 mod sets;
 mod shelf;
 mod table_5_1;
@@ -18,11 +23,15 @@ mod table_5_1;
 #[cfg(test)]
 mod tests;
 
+pub use ablations::ABLATIONS;
 pub use csv::{curves_csv, rows_csv};
 pub use curve::curve;
+pub use figure_5_8::FIGURE_5_8;
+pub use figure_5_9::FIGURE_5_9;
 pub use figure_5_10::FIGURE_5_10;
 pub use findings::{Findings, Picture, Row};
 pub use learning_curves::{FIGURE_5_11, FIGURE_5_12, FIGURE_5_13};
+pub use robustness::ROBUSTNESS;
 pub use sets::{Kept, Sample, Set, Sets};
 pub use shelf::Shelf;
 pub use table_5_1::TABLE_5_1;
@@ -37,8 +46,20 @@ use crate::catalog::{Catalog, CatalogError, FieldError, from_text};
 use crate::wire::{ReproductionArm, ReproductionTarget};
 
 /// Everything that can be reproduced.
-pub static TARGETS: &[&Target] =
-    &[&TABLE_5_1, &FIGURE_5_10, &FIGURE_5_11, &FIGURE_5_12, &FIGURE_5_13];
+pub static TARGETS: &[&Target] = &[
+    &TABLE_5_1,
+    &FIGURE_5_8,
+    &FIGURE_5_9,
+    &FIGURE_5_10,
+    &FIGURE_5_11,
+    &FIGURE_5_12,
+    &FIGURE_5_13,
+    &ABLATIONS,
+    &ROBUSTNESS,
+];
+
+/// How verdicts on published figures are found.
+pub const PUBLISHED: &str = Verdict::RULE;
 
 /// Seeds of the chapter-5 targets: 200 sets.
 pub const SEEDS: RangeInclusive<u64> = 700_000..=700_199;
@@ -63,6 +84,8 @@ pub struct Target {
     pub source: &'static str,
     /// How its words and figures were read, a sentence each.
     pub readings: &'static [&'static str],
+    /// How its verdicts are found.
+    pub rule: &'static str,
     /// Experiment that is run.
     pub experiment: &'static str,
     /// What is run, each over all seeds.
@@ -166,7 +189,7 @@ impl Target {
             sets: self.sets(),
             first_seed: *self.seeds.start(),
             last_seed: *self.seeds.end(),
-            rule: Verdict::RULE.into(),
+            rule: self.rule.into(),
             command: format!("sonarium reproduce {}", self.name),
         }
     }

@@ -9,7 +9,7 @@ use super::{Arm, ReproductionError, Target};
 use crate::batch;
 use crate::catalog::{Catalog, FieldError, Plan};
 use crate::session::Run;
-use crate::wire::{NewSession, Trial};
+use crate::wire::{AlteredStartView, NewSession, StartView, Trial};
 
 /// What runs sets of trials for a target.
 #[derive(Clone, Copy)]
@@ -52,6 +52,8 @@ pub struct Set {
     pub first_path_m: Vec<[f64; 2]>,
     /// True path of the last trial, metres, from home.
     pub last_path_m: Vec<[f64; 2]>,
+    /// What the trained networks do from the plan's altered starts, without the paths.
+    pub starts: Vec<AlteredStartView>,
 }
 
 impl Sets<'_> {
@@ -60,12 +62,26 @@ impl Sets<'_> {
     /// # Errors
     /// When the arm's settings do not fit.
     pub fn shared(&self, target: &Target, arm: &Arm) -> Result<Arc<Sample>, ReproductionError> {
-        let key = format!("{} {arm:?} {} {:?}", target.experiment, target.trials, target.seeds);
+        self.shared_from(target, arm, &[])
+    }
+
+    /// The same, its trained networks tried from altered starts.
+    ///
+    /// # Errors
+    /// When the arm's settings do not fit.
+    pub fn shared_from(
+        &self,
+        target: &Target,
+        arm: &Arm,
+        starts: &[StartView],
+    ) -> Result<Arc<Sample>, ReproductionError> {
+        let Target { experiment, trials, seeds, .. } = target;
+        let key = format!("{experiment} {arm:?} {trials} {seeds:?} {starts:?}");
         if let Some(sample) = self.kept.get(&key) {
             sample.sets.iter().for_each(|_| (self.done)());
             return Ok(sample);
         }
-        let sample = Arc::new(self.of(target, arm)?);
+        let sample = Arc::new(self.from(target, arm, starts)?);
         self.kept.put(key, sample.clone());
         Ok(sample)
     }
@@ -75,7 +91,16 @@ impl Sets<'_> {
     /// # Errors
     /// When the arm's settings do not fit.
     pub fn of(&self, target: &Target, arm: &Arm) -> Result<Sample, ReproductionError> {
-        let plan = self.plan(target, arm)?;
+        self.from(target, arm, &[])
+    }
+
+    fn from(
+        &self,
+        target: &Target,
+        arm: &Arm,
+        starts: &[StartView],
+    ) -> Result<Sample, ReproductionError> {
+        let plan = Plan { starts: starts.to_vec(), ..self.plan(target, arm)? };
         let seeds: Vec<u64> = target.seeds.clone().collect();
         let sets = self.each(&seeds, |&seed| Set::run(&Plan { seed, ..plan.clone() }))?;
         let seeds = [*target.seeds.start(), *target.seeds.end()];
@@ -110,6 +135,7 @@ impl Sets<'_> {
             settings: arm.values(),
             trials: Some(target.trials),
             speed: None,
+            network: None,
         })?)
     }
 }
@@ -133,6 +159,7 @@ impl Set {
             trials: Vec::with_capacity(plan.trials as usize),
             first_path_m: Vec::new(),
             last_path_m: Vec::new(),
+            starts: Vec::new(),
         };
         for trial in 1..=plan.trials {
             let mut path_m = Vec::new();
@@ -148,6 +175,8 @@ impl Set {
                 set.last_path_m = path_m;
             }
         }
+        let starts = run.altered_starts(&plan.starts).into_iter();
+        set.starts = starts.map(AlteredStartView::without_paths).collect();
         Ok(set)
     }
 

@@ -152,6 +152,7 @@ mod tests {
         compares: "",
         source: "",
         readings: &[],
+        rule: "",
         experiment: MINIMUM_COST_PATH,
         arms: &[],
         trials: 1,

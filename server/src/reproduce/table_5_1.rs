@@ -2,7 +2,7 @@
 
 use sonarium_core::stats::Estimate;
 
-use super::{Findings, PRESETS, ReproductionError, Row, SEEDS, Sample, Sets, Target};
+use super::{Findings, PRESETS, PUBLISHED, ReproductionError, Row, SEEDS, Sample, Sets, Target};
 use crate::catalog::{DEFAULT_TRIALS, MINIMUM_COST_PATH};
 use crate::wire::{ReproductionRow, Trial};
 
@@ -20,6 +20,7 @@ pub static TABLE_5_1: Target = Target {
         "A last trial that does not reach the goal counts with the full cap of steps and with what \
          it had earned until then",
     ],
+    rule: PUBLISHED,
     experiment: MINIMUM_COST_PATH,
     arms: PRESETS,
     trials: DEFAULT_TRIALS,

@@ -106,12 +106,14 @@ pub fn world_view(plan: &Plan) -> WorldView {
         robot_radius_m: robot.body().reach_m(),
         robot_corners_m: points(&robot.body().corners()),
         sonar_range_m: plan.settings.sonar_range_m,
-        sonars: robot.sonars().iter().map(sonar).collect(),
+        sonars: robot.sonars().iter().map(SonarView::from).collect(),
     }
 }
 
-fn sonar(mount: &Mount) -> SonarView {
-    SonarView { x_m: mount.place.x, y_m: mount.place.y, bearing_deg: mount.axis_deg }
+impl From<&Mount> for SonarView {
+    fn from(mount: &Mount) -> Self {
+        Self { x_m: mount.place.x, y_m: mount.place.y, bearing_deg: mount.axis_deg }
+    }
 }
 
 /// What of a plan's robot does not change while it drives.

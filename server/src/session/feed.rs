@@ -11,7 +11,7 @@ use tokio::sync::watch;
 use super::paths::Paths;
 use crate::wire::{
     CurvePoint, HELLO_TRIALS, Hello, LogEntry, NeuronView, STREAM_VERSION, ServerMessage, Session,
-    TickView, Trial, WorldView,
+    TickView, Trial, WorldView, Yardstick,
 };
 
 /// Events a late client can still catch up on.
@@ -73,6 +73,7 @@ pub struct Feed {
 
 struct Inner {
     snapshot: Arc<Snapshot>,
+    yardstick: Yardstick,
     trials: Vec<Arc<Trial>>,
     log: VecDeque<LogEntry>,
     ring: VecDeque<Event>,
@@ -91,6 +92,7 @@ impl Feed {
         let surplus = log.len().saturating_sub(LOG_LINES);
         let inner = Inner {
             snapshot: Arc::new(snapshot),
+            yardstick: Yardstick::Computing,
             trials: trials.into_iter().map(Arc::new).collect(),
             log: log.into_iter().skip(surplus).collect(),
             ring: VecDeque::new(),
@@ -131,17 +133,19 @@ impl Feed {
     /// The first message for a new client: state and history.
     #[must_use]
     pub fn hello(&self) -> Hello {
-        let (seq, snapshot, trials, log) = {
+        let (seq, snapshot, yardstick, trials, log) = {
             let inner = self.lock();
             let log: Vec<LogEntry> = inner.log.iter().cloned().collect();
             let newest = inner.trials.len().saturating_sub(HELLO_TRIALS);
-            (inner.seq, inner.snapshot.clone(), inner.trials[newest..].to_vec(), log)
+            let trials = inner.trials[newest..].to_vec();
+            (inner.seq, inner.snapshot.clone(), inner.yardstick.clone(), trials, log)
         };
         Hello {
             version: STREAM_VERSION,
             seq,
             session: snapshot.session.clone(),
             world: WorldView::clone(&self.world),
+            yardstick,
             trials: trials.iter().map(|trial| Trial::clone(trial)).collect(),
             neurons: snapshot.neurons.to_vec(),
             tick: snapshot.tick.as_deref().cloned().map(Box::new),
@@ -200,6 +204,24 @@ impl Feed {
         self.changed.send_modify(|version| *version += 1);
     }
 
+    /// Tells of the best path that a planner found, and what the trials before it regret.
+    pub fn measure(&self, yardstick: Yardstick) {
+        let mut inner = self.lock();
+        for trial in &mut inner.trials {
+            *trial = Arc::new(yardstick.mark(Trial::clone(trial)));
+        }
+        inner.yardstick = yardstick.clone();
+        inner.push(|seq| ServerMessage::Yardstick { seq, yardstick: Box::new(yardstick) });
+        drop(inner);
+        self.changed.send_modify(|version| *version += 1);
+    }
+
+    /// The best path that a planner finds, as far as it is known.
+    #[must_use]
+    pub fn yardstick(&self) -> Yardstick {
+        self.lock().yardstick.clone()
+    }
+
     /// Keeps the first trials only, because the rest is about to be done again. What clients hold is
     /// void, so the events before are given up and every client gets a new `hello`.
     pub fn rewind(&self, trials_done: u32) -> Vec<Arc<Trial>> {
@@ -220,6 +242,8 @@ impl Inner {
         if trials.is_empty() {
             return;
         }
+        let trials: Vec<Trial> =
+            trials.into_iter().map(|trial| self.yardstick.mark(trial)).collect();
         let points = trials.iter().map(CurvePoint::from).collect();
         self.trials.extend(trials.iter().cloned().map(Arc::new));
         self.push(|seq| ServerMessage::Trial { seq, trials });

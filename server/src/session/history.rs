@@ -120,7 +120,7 @@ pub(crate) fn new_row(plan: &Plan) -> SessionRow {
 }
 
 /// What a session's log begins with.
-pub(crate) fn log_header(row: &SessionRow) -> LogHeader {
+pub(crate) fn log_header(row: &SessionRow, network_text: Option<String>) -> LogHeader {
     LogHeader {
         experiment: row.experiment.clone(),
         seed: row.seed,
@@ -128,6 +128,7 @@ pub(crate) fn log_header(row: &SessionRow) -> LogHeader {
         trials: row.trials,
         build: row.build.clone(),
         world_text: row.world_text.clone(),
+        network_text,
     }
 }
 

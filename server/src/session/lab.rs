@@ -1,11 +1,13 @@
 //! The laboratory: all sessions, the live and the stored.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use std::thread;
 
+use serde_json::Value as Json;
 use tokio::sync::oneshot;
 
 use super::actor::{Actor, Command, ControlError};
@@ -15,11 +17,12 @@ use super::run::Run;
 use super::slots::Slots;
 use super::starts::check_starts;
 use super::state::{Control, name};
-use crate::catalog::{Catalog, FieldError, Plan};
+use crate::catalog::{Catalog, FieldError, Plan, Trained};
 use crate::store::{SessionRow, Store, StoreError};
 use crate::wire::{
-    Ack, AlteredStartView, LogEntry, NeuronView, NewSession, Session, StartView, State,
+    Ack, AlteredStartView, LogEntry, NeuronView, NewSession, Session, StartView, State, Yardstick,
 };
+use crate::yardstick;
 
 /// All sessions. A clone is the same laboratory.
 #[derive(Clone)]
@@ -124,11 +127,45 @@ impl Lab {
     /// # Errors
     /// The first field that cannot be taken, or the disk's refusal.
     pub fn create(&self, request: &NewSession) -> Result<Session, LabError> {
-        let plan = self.catalog().resolve(request)?;
-        super::run::Run::new(&plan)?;
+        let request = self.with_network(request)?;
+        let plan = self.catalog().resolve(&request)?;
+        Run::new(&plan)?;
         let row = history::new_row(&plan);
+        if let Some(network) = &plan.network {
+            self.store().keep_network(&row.id, &network.text)?;
+        }
         self.store().insert_session(&row)?;
         Ok(history::session(self.store(), row, plan.changed)?)
+    }
+
+    /// The request with the networks of a session in the place of its identifier.
+    fn with_network<'a>(&self, request: &'a NewSession) -> Result<Cow<'a, NewSession>, LabError> {
+        let Some(Json::String(id)) = &request.network else { return Ok(Cow::Borrowed(request)) };
+        let refuse = |message: String| LabError::Field(FieldError::new("network", message));
+        let trained = match self.trained(id) {
+            Ok(Some(trained)) => trained,
+            Ok(None) => {
+                let why =
+                    format!("no trial of the session {id} has ended, so it has no networks yet");
+                return Err(refuse(why));
+            }
+            Err(LabError::Store(StoreError::NoSession { .. })) => {
+                return Err(refuse(format!("there is no session `{id}`")));
+            }
+            Err(error) => return Err(error),
+        };
+        let file = serde_json::to_value(&trained.file).expect("plain data with text keys");
+        Ok(Cow::Owned(NewSession { network: Some(file), ..request.clone() }))
+    }
+
+    /// The networks of a session as its last finished trial left them; none before the first.
+    ///
+    /// # Errors
+    /// When there is no such session, or it cannot be read.
+    pub fn trained(&self, id: &str) -> Result<Option<Trained>, LabError> {
+        let plan = self.plan(id)?;
+        let Some(stored) = self.store().checkpoint(id)? else { return Ok(None) };
+        Ok(Some(Run::resume(&plan, &stored)?.trained(&plan)))
     }
 
     /// All sessions, newest first.
@@ -164,7 +201,7 @@ impl Lab {
     /// # Errors
     /// When there is none of that name, or this program no longer knows its settings.
     pub fn plan(&self, id: &str) -> Result<Plan, LabError> {
-        Ok(self.catalog().restore(&self.row(id)?)?)
+        self.restore(&self.row(id)?)
     }
 
     /// Asks something of a session and waits until it has taken effect.
@@ -341,7 +378,7 @@ impl Lab {
             return Ok(session.clone());
         }
         // A session this program cannot run can still be listed.
-        let changed = self.catalog().restore(&row).map(|plan| plan.changed).unwrap_or_default();
+        let changed = self.restore(&row).map(|plan| plan.changed).unwrap_or_default();
         let session = history::session(self.store(), row, changed)?;
         desk.session = Some(session.clone());
         Ok(session)
@@ -356,11 +393,17 @@ impl Lab {
         if let Some(feed) = desks.get(&id).and_then(|desk| desk.feed.upgrade()) {
             return Ok(feed);
         }
-        let plan = self.catalog().restore(&row)?;
+        let plan = self.restore(&row)?;
         let session = self.look(desks, row)?;
         let feed = Arc::new(history::feed(self.store(), &plan, session)?);
+        measure(&feed, plan);
         desks.entry(id).or_default().feed = Arc::downgrade(&feed);
         Ok(feed)
+    }
+
+    fn restore(&self, row: &SessionRow) -> Result<Plan, LabError> {
+        let network = self.store().network(&row.id)?;
+        Ok(self.catalog().restore(row, network.as_deref())?)
     }
 
     fn row(&self, id: &str) -> Result<SessionRow, LabError> {
@@ -370,5 +413,26 @@ impl Lab {
 
     fn desks(&self) -> MutexGuard<'_, BTreeMap<String, Desk>> {
         self.0.desks.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Tells a feed of the best path that a planner finds, at once if it is known, else when it is.
+fn measure(feed: &Arc<Feed>, plan: Plan) {
+    match yardstick::known(&plan) {
+        Yardstick::Computing => {
+            let feed = Arc::downgrade(feed);
+            let work = move || {
+                let yardstick = yardstick::compute(&plan);
+                if let Some(feed) = feed.upgrade() {
+                    feed.measure(yardstick);
+                }
+            };
+            // Without a thread the session runs as well; only its yardstick stays unknown.
+            let started = thread::Builder::new().name("planner".into()).spawn(work);
+            if let Err(error) = started {
+                tracing::warn!("cannot start a thread for the planner: {error}");
+            }
+        }
+        known => feed.measure(known),
     }
 }

@@ -29,6 +29,8 @@ mod state;
 mod view;
 
 #[cfg(test)]
+mod network_tests;
+#[cfg(test)]
 mod tests;
 
 pub use actor::ControlError;

@@ -24,7 +24,8 @@ impl Prepared {
     pub(super) fn new(lab: &Lab, id: &str) -> Result<Self, ControlError> {
         let store = lab.store();
         let row = store.session(id)?.ok_or_else(|| StoreError::NoSession { id: id.to_owned() })?;
-        let plan = lab.catalog().restore(&row)?;
+        let network = store.network(id)?;
+        let plan = lab.catalog().restore(&row, network.as_deref())?;
         let checkpoint = store.checkpoint(id)?;
         let run = match &checkpoint {
             Some(checkpoint) => Run::resume(&plan, checkpoint)?,
@@ -32,16 +33,21 @@ impl Prepared {
         };
         let (tick, trials_done) = checkpoint.map_or((0, 0), |c| (c.tick, c.trials_done));
         let said = store.events(id, usize::MAX)?;
-        let log = open_log(store, &row, tick)?;
+        let log = open_log(store, &row, network, tick)?;
         let kept = store.events(id, usize::MAX)?.len();
         let lost = said.into_iter().skip(kept).filter(|entry| entry.kind != "trial").collect();
         Ok(Self { run, log, tick, trials_done, lost })
     }
 }
 
-fn open_log(store: &Store, row: &SessionRow, tick: u64) -> Result<LogWriter, StoreError> {
+fn open_log(
+    store: &Store,
+    row: &SessionRow,
+    network: Option<String>,
+    tick: u64,
+) -> Result<LogWriter, StoreError> {
     if store.log_path(&row.id).exists() {
         return resume_log(store, &row.id, tick);
     }
-    LogWriter::create(store, &row.id, &history::log_header(row))
+    LogWriter::create(store, &row.id, &history::log_header(row, network))
 }

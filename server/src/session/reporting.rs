@@ -10,7 +10,9 @@ use crate::report::{Picture, SessionReport, TrialReport};
 use crate::store::StoreError;
 use crate::wire::{
     AlteredStartView, PresetInfo, Session, Summary, ThemeName, TickView, Trial, TrialEndView,
+    Yardstick,
 };
+use crate::yardstick;
 
 /// Size of the stills in reports, pixels.
 const STILL_PX: (u32, u32) = (960, 640);
@@ -58,16 +60,20 @@ impl Reporter<'_> {
     /// When the session cannot be read, or a still not be drawn.
     pub fn session(&self, id: &str) -> Result<SessionReport, ReportError> {
         let (plan, session) = (self.lab.plan(id)?, self.lab.session(id)?);
+        let yardstick = yardstick::compute(&plan);
         let trials = self.lab.store().trials(id)?;
+        let trials: Vec<Trial> = trials.into_iter().map(|trial| yardstick.mark(trial)).collect();
         let starts = self.lab.altered_starts(id, None)?;
         Ok(SessionReport {
             title: self.title(&session),
-            summary: summary(&trials),
+            summary: summary(&trials, &yardstick),
+            yardstick,
             settings: self.experiment(&session).map(|e| e.settings.clone()).unwrap_or_default(),
             preset: self.preset(&session),
             world: world_view(&plan),
             events: self.lab.store().events(id, LINES)?,
             pictures: self.stills(id, &plan, &trials, &starts)?,
+            network: self.lab.store().network(id)?,
             starts: starts.into_iter().map(AlteredStartView::without_paths).collect(),
             build: crate::build(),
             session,
@@ -117,7 +123,7 @@ impl Reporter<'_> {
         starts: &[AlteredStartView],
     ) -> Result<Vec<Picture>, ReportError> {
         let first = trials.first().map(|trial| ("First", trial.trial));
-        let best = summary(trials).best_trial.map(|trial| ("Best", trial));
+        let best = summary(trials, &Yardstick::Computing).best_trial.map(|trial| ("Best", trial));
         let last = trials.last().map(|trial| ("Last", trial.trial));
         let mut stills: Vec<Picture> = Vec::new();
         for (word, trial) in [first, best, last].into_iter().flatten() {
@@ -168,7 +174,7 @@ impl Reporter<'_> {
 
 /// Summary over trials.
 #[must_use]
-pub fn summary(trials: &[Trial]) -> Summary {
+pub fn summary(trials: &[Trial], yardstick: &Yardstick) -> Summary {
     let reached = || trials.iter().filter(|trial| trial.reached_goal);
     let better = |a: &&Trial, b: &&Trial| a.total_reinforcement.total_cmp(&b.total_reinforcement);
     // Of equals, the first: it was the record.
@@ -181,6 +187,9 @@ pub fn summary(trials: &[Trial]) -> Summary {
         best_trial: best.map(|trial| trial.trial),
         last_steps: last.map(|trial| trial.steps),
         last_total_reinforcement: last.map(|trial| trial.total_reinforcement),
+        planned_total_reinforcement: yardstick.ready().map(|path| path.total_reinforcement),
+        last_regret: last.and_then(|trial| yardstick.regret(trial)),
+        last_regret_pct: last.and_then(|trial| yardstick.regret_pct(trial)),
         neurons: last.map_or(0, |trial| trial.neurons),
         collisions: trials.iter().map(|trial| trial.collisions).sum(),
         steps: trials.iter().map(|trial| u64::from(trial.steps)).sum(),

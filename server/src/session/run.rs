@@ -1,10 +1,10 @@
 //! A run: the experiment's machine and the names its numbers stand for.
 
-use sonarium_core::experiment::{Checkpoint, MinimumCostPath};
+use sonarium_core::experiment::{Checkpoint, MinimumCostPath, SetupError};
 use sonarium_core::learner::{Tick, TrialEnd};
 
 use super::view::Names;
-use crate::catalog::{FieldError, Plan};
+use crate::catalog::{FieldError, Plan, Trained};
 use crate::store::{LogRecord, StoredCheckpoint};
 use crate::wire::{NeuronView, TickView, Trial, TrialEndView};
 
@@ -23,14 +23,25 @@ pub struct Stepped {
 }
 
 impl Run {
-    /// A new run with an empty network.
+    /// A new run, with empty networks or with those of the plan.
     ///
     /// # Errors
     /// When the settings do not fit the world.
     pub fn new(plan: &Plan) -> Result<Self, FieldError> {
         let (world, robot) = (plan.world.world.clone(), plan.robot.clone());
-        let machine = MinimumCostPath::new(world, robot, &plan.settings, plan.seed)
-            .map_err(|error| FieldError::new("settings", error.to_string()))?;
+        let (settings, seed) = (&plan.settings, plan.seed);
+        let machine = match &plan.network {
+            None => MinimumCostPath::new(world, robot, settings, seed),
+            Some(network) => {
+                MinimumCostPath::carry_on(world, robot, settings, seed, &network.file.networks)
+            }
+        };
+        let machine = machine.map_err(|error| match &error {
+            SetupError::Networks(damage) => {
+                FieldError::new(format!("network.{}", damage.place), damage.problem.clone())
+            }
+            _ => FieldError::new("settings", error.to_string()),
+        })?;
         Ok(Self { machine, names: plan.names() })
     }
 
@@ -62,6 +73,12 @@ impl Run {
     pub fn step_silently(&mut self) -> Option<Trial> {
         let (_, end): (&Tick, Option<&TrialEnd>) = self.machine.step();
         end.map(|end| self.names.trial(&end.record))
+    }
+
+    /// The networks as they are, to be used elsewhere.
+    #[must_use]
+    pub fn trained(&self, plan: &Plan) -> Trained {
+        Trained::new(plan, self.machine.trials_done(), self.machine.networks())
     }
 
     pub(super) fn machine(&self) -> &MinimumCostPath {

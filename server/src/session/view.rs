@@ -4,14 +4,14 @@ use sonarium_core::control::ReflexTrace;
 use sonarium_core::experiment::NeuronRef;
 use sonarium_core::geometry::{Pose, wrap_angle};
 use sonarium_core::learner::{
-    ActionSource, Adaptation, Birth, BirthCause, Change, Exploration, NeuronId, Origin, Outcome,
-    Tick, TrialEnd, TrialRecord, Update, Winner,
+    ActionSource, Adaptation, Aim, Birth, BirthCause, Change, Exploration, NeuronId, Origin,
+    Outcome, Proposal, Tick, TrialEnd, TrialRecord, Update, Winner,
 };
 use sonarium_core::robot::Contact;
 
 use crate::wire::{
-    AdaptationView, BirthView, ChangeView, ExplorationView, NeuronView, OutcomeView, PoseView,
-    ReflexView, TickView, Trial, TrialEndView, WinnerView,
+    AdaptationView, AimView, BirthView, ChangeView, ExplorationView, NeuronView, OutcomeView,
+    PoseView, ProposalView, ReflexView, TickView, Trial, TrialEndView, WinnerView,
 };
 
 /// The names a session's indices stand for.
@@ -59,6 +59,7 @@ impl Names {
             neuron: number(decision.neuron),
             prototypical_deg: decision.prototypical_rad.to_degrees(),
             utility: decision.utility,
+            aim: decision.aim.as_ref().map(AimView::from),
             exploration: decision.exploration.into(),
             source: source(decision.source).to_owned(),
             action_deg: decision.action_rad.to_degrees(),
@@ -110,6 +111,7 @@ impl Names {
             record: record.record,
             temperature_deg: record.temperature_deg,
             path_m: record.path_m,
+            regret: None,
             region_steps: regions.map(|(index, steps)| (self.region(index), *steps)).collect(),
             first_tick: record.first_tick,
             last_tick: record.last_tick,
@@ -127,7 +129,7 @@ impl Names {
             trial: self.trial(&end.record),
             backed_up: end.backed_up.iter().map(ChangeView::from).collect(),
             replaced: end.replaced.iter().map(in_degrees).collect(),
-            proposed: end.proposed.iter().map(ChangeView::from).collect(),
+            proposed: end.proposed.iter().map(ProposalView::from).collect(),
             forgotten: end.forgotten.iter().map(|id| id.0).collect(),
             neurons: neurons.map(|neuron| self.neuron_after(end, &neuron)).collect(),
         }
@@ -278,6 +280,26 @@ impl From<&Birth> for BirthView {
             value,
             parent,
             pose: birth.pose.into(),
+        }
+    }
+}
+
+impl From<&Aim> for AimView {
+    fn from(aim: &Aim) -> Self {
+        Self { x_m: aim.x_m, y_m: aim.y_m, then: number(aim.then.map(|(_, neuron)| neuron)) }
+    }
+}
+
+impl From<&Proposal> for ProposalView {
+    fn from(proposal: &Proposal) -> Self {
+        Self {
+            neuron: proposal.neuron.0,
+            before: proposal.before_deg,
+            after: proposal.after_deg,
+            aim: (&proposal.aim).into(),
+            step: proposal.step,
+            straight: proposal.straight,
+            utility: proposal.utility,
         }
     }
 }

@@ -20,6 +20,7 @@ mod error;
 mod index;
 mod json_schema;
 mod log_file;
+mod network_file;
 mod query;
 mod read;
 mod record;

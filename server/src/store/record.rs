@@ -31,6 +31,9 @@ pub struct LogHeader {
     pub build: String,
     /// The world's file as it was used.
     pub world_text: String,
+    /// The file of the networks it began with; none when they were empty.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub network_text: Option<String>,
 }
 
 /// One thing to put in a log.

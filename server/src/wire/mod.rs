@@ -4,6 +4,7 @@
 //! generated from these types, and a test fails when it is stale.
 
 mod experiment;
+mod network;
 mod reproduction;
 mod session;
 mod start;
@@ -11,8 +12,10 @@ mod stream;
 mod tick;
 mod typescript;
 mod world;
+mod yardstick;
 
 pub use experiment::*;
+pub use network::*;
 pub use reproduction::*;
 pub use session::*;
 pub use start::*;
@@ -20,3 +23,4 @@ pub use stream::*;
 pub use tick::*;
 pub use typescript::typescript;
 pub use world::*;
+pub use yardstick::*;

@@ -156,6 +156,10 @@ pub struct ReproductionRow {
     pub name: String,
     /// What the thesis prints; none when it prints nothing.
     pub published: Option<f64>,
+    /// What is required where nothing is published, e.g. `≥ 95`; then the verdict says whether the whole
+    /// interval keeps it.
+    #[serde(default)]
+    pub required: Option<String>,
     /// What came out here.
     pub ours: f64,
     /// Lower end of our 95 % interval.

@@ -74,6 +74,22 @@ pub struct NewSession {
     #[serde(default)]
     #[ts(optional)]
     pub speed: Option<Speed>,
+    /// Trained networks to begin with instead of empty ones: a network file, or the identifier of a
+    /// session, whose networks are taken as its last finished trial left them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[ts(optional, type = "string | NetworkFile")]
+    #[schema(value_type = Option<NetworkSource>)]
+    pub network: Option<Value>,
+}
+
+/// Where trained networks come from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(untagged)]
+pub enum NetworkSource {
+    /// A session's identifier.
+    Session(String),
+    /// A network file.
+    File(Box<super::NetworkFile>),
 }
 
 /// A session.
@@ -187,6 +203,10 @@ pub struct Trial {
     pub temperature_deg: f64,
     /// Length of the true path, metres.
     pub path_m: f64,
+    /// Regret R* − R(n): what the best path that a planner finds would have earned more. None when the
+    /// goal was not reached, no way was planned, or planning is not done yet; never in the log.
+    #[serde(default)]
+    pub regret: Option<f64>,
     /// Steps taken in each region, by the region's name.
     pub region_steps: BTreeMap<String, u32>,
     /// First tick.
@@ -210,6 +230,15 @@ pub struct Summary {
     pub last_steps: Option<u32>,
     /// Total reinforcement of the last trial.
     pub last_total_reinforcement: Option<f64>,
+    /// Total reinforcement R* of the best path that a planner finds; none when it finds no way.
+    #[serde(default)]
+    pub planned_total_reinforcement: Option<f64>,
+    /// Regret of the last trial, R* − R(n); none when it did not reach the goal.
+    #[serde(default)]
+    pub last_regret: Option<f64>,
+    /// The same in percent of R*; none when the best path costs nothing.
+    #[serde(default)]
+    pub last_regret_pct: Option<f64>,
     /// Neurons after the last trial.
     pub neurons: u32,
     /// Collisions over all trials.

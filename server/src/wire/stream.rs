@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-use super::{NeuronView, Session, TickView, Trial};
+use super::{NeuronView, Session, TickView, Trial, Yardstick};
 
 /// Version of the stream, in `hello`.
 pub const STREAM_VERSION: u32 = 1;
@@ -11,7 +11,8 @@ pub const STREAM_VERSION: u32 = 1;
 /// Trials in `hello`; all of them are at `sessions/{id}/trials`.
 pub const HELLO_TRIALS: usize = 1000;
 
-/// A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`);
+/// A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`,
+/// `yardstick`);
 /// `tick`, `depths` and `neurons` are samples of the present and repeat the number of the last event.
 /// Arena pictures are binary frames: whole PNG files.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS)]
@@ -72,6 +73,13 @@ pub enum ServerMessage {
         /// One or more, in order.
         entries: Vec<LogEntry>,
     },
+    /// The best path a planner finds is known; the regret of trials told before follows from it.
+    Yardstick {
+        /// Event number.
+        seq: u64,
+        /// The yardstick.
+        yardstick: Box<Yardstick>,
+    },
     /// Events between `since` and the first still held are lost; a `hello` with the whole history follows.
     Gap {
         /// What the client had.
@@ -99,6 +107,8 @@ pub struct Hello {
     pub session: Session,
     /// The world it runs in.
     pub world: WorldView,
+    /// The best path a planner finds there.
+    pub yardstick: Yardstick,
     /// The newest trials, at most [`HELLO_TRIALS`].
     pub trials: Vec<Trial>,
     /// All neurons, without their centres.
@@ -139,7 +149,8 @@ pub struct WorldView {
 }
 
 /// Where a sonar sits and looks, robot frame: x ahead, y to the left.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, utoipa::ToSchema)]
+#[serde(deny_unknown_fields)]
 pub struct SonarView {
     /// Metres.
     pub x_m: f64,

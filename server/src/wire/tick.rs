@@ -54,6 +54,9 @@ pub struct TickView {
     pub prototypical_deg: f64,
     /// Its utility u; none while pending.
     pub utility: Option<f64>,
+    /// Where its mean points, when it aims along a shortcut (addition A1).
+    #[serde(default)]
+    pub aim: Option<AimView>,
     /// The stochastic unit, Eq. (5.12)-(5.16).
     pub exploration: ExplorationView,
     /// `network`, `reflex` or `after-rescue`.
@@ -240,12 +243,42 @@ pub struct TrialEndView {
     pub backed_up: Vec<ChangeView>,
     /// Prototypical actions replaced, Eq. (5.28), degrees.
     pub replaced: Vec<ChangeView>,
-    /// Means set by the band proposal (addition A1), degrees.
-    pub proposed: Vec<ChangeView>,
+    /// Shortcuts proposed (addition A1), with their reason.
+    pub proposed: Vec<ProposalView>,
     /// Neurons deleted (addition D3).
     pub forgotten: Vec<u32>,
     /// All neurons after the trial; centres only where the trial set or moved them.
     pub neurons: Vec<NeuronView>,
+}
+
+/// A place a neuron aims at (addition A1), odometry frame.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
+pub struct AimView {
+    /// Metres.
+    pub x_m: f64,
+    /// Metres.
+    pub y_m: f64,
+    /// Neuron in charge there on the record path; none at the goal.
+    pub then: Option<u32>,
+}
+
+/// A shortcut proposed at the end of a record trial (addition A1), and why.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
+pub struct ProposalView {
+    /// The neuron.
+    pub neuron: u32,
+    /// Its mean before, degrees.
+    pub before: f64,
+    /// Its mean after, from its prototypical action to the aim, degrees.
+    pub after: f64,
+    /// Where it aims.
+    pub aim: AimView,
+    /// Step of the record path that ended there.
+    pub step: u32,
+    /// Reinforcement predicted for driving straight there.
+    pub straight: f64,
+    /// Utility there; 0 at the goal.
+    pub utility: f64,
 }
 
 /// A value changed at the end of a trial.

@@ -31,10 +31,10 @@ fn declarations(config: &Config) -> Vec<String> {
     declare!(config:
         ExperimentInfo, RobotInfo, PresetInfo, WorldInfo, SettingInfo, Choice,
         State, Speed, NamedSpeed, NewSession, Session, Ack, StepRequest, StepUnit, SpeedRequest,
-        Trial, Summary, RunResult, Problem,
+        Trial, Summary, RunResult, Yardstick, PlannedPath, Problem,
         PoseView, TickView, WinnerView, ReflexView, ExplorationView, AdaptationView, OutcomeView,
-        NeuronView, BirthView, TrialEndView, ChangeView,
-        StartView, AlteredStartView, ExcursionView,
+        NeuronView, BirthView, TrialEndView, ChangeView, AimView, ProposalView,
+        StartView, AlteredStartView, ExcursionView, NetworkFile, InputSpans, GoalView,
         ServerMessage, Hello, WorldView, SonarView, CurvePoint, LogEntry,
         ClientMessage, ArenaRequest, ThemeName,
         ReproductionTarget, ReproductionArm, ReproductionProgress, ReproductionState,

@@ -17,7 +17,8 @@ import type {
   TickView,
 } from './protocol';
 
-const ROOT = '/api/v1';
+/** Where the interface lies. */
+export const ROOT = '/api/v1';
 
 /** A refusal by the server, or no answer at all (`status` 0). */
 export class Refusal extends Error {
@@ -122,33 +123,48 @@ function query(parts: Record<string, string | number>): string {
   ).toString();
 }
 
-async function call<T>(method: string, where: string, body?: unknown): Promise<T> {
-  const response = await fetch(`${ROOT}/${where}`, request(method, body)).catch(() => {
-    throw new Refusal(local('No answer from the server', 'Check that sonarium is running.'));
+function call<T>(method: string, where: string, body?: unknown): Promise<T> {
+  return ask<T>(where, request(method, body));
+}
+
+/** Asks the interface for JSON. */
+export async function ask<T>(where: string, init: RequestInit): Promise<T> {
+  const response = await fetch(`${ROOT}/${where}`, init).catch((error: unknown) => {
+    if (init.signal?.aborted) throw error;
+    throw new Refusal(SILENCE);
   });
   if (!response.ok) throw new Refusal(await refusalOf(response));
   const text = await response.text();
   return (text ? JSON.parse(text) : null) as T;
 }
 
-function request(method: string, body: unknown): RequestInit {
+/** A request with a JSON body. */
+export function request(method: string, body: unknown): RequestInit {
   if (body === undefined) return { method };
   return { method, body: JSON.stringify(body), headers: { 'content-type': 'application/json' } };
 }
 
 async function refusalOf(response: Response): Promise<Problem> {
+  return problemIn(await response.text().catch(() => ''), response.status, response.statusText);
+}
+
+/** The problem in the body of a refusal, or what its status says. */
+export function problemIn(body: string, status: number, statusText: string): Problem {
   try {
-    const problem = (await response.json()) as Partial<Problem>;
+    const problem = JSON.parse(body) as Partial<Problem>;
     return {
       ...local(problem.title ?? '', problem.detail ?? ''),
       ...problem,
-      status: response.status,
+      status,
     };
   } catch {
-    const detail = response.statusText || 'The answer could not be read.';
-    return { ...local(`The server answered ${response.status}`, detail), status: response.status };
+    const detail = statusText || 'The answer could not be read.';
+    return { ...local(`The server answered ${status}`, detail), status };
   }
 }
+
+/** No answer at all. */
+export const SILENCE = local('No answer from the server', 'Check that sonarium is running.');
 
 function local(title: string, detail: string): Problem {
   return { type: 'about:blank', title, status: 0, detail, field: null };

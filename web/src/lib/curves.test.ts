@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 
-import { CURVES, points, summary } from './curves';
+import { CURVES, planned, points, summary } from './curves';
 import { sampleTrial } from './sample';
 
 const [neurons, steps, reinforcement] = CURVES;
@@ -28,4 +28,17 @@ it('sums a curve up', () => {
   expect(summary(neurons, trials)).toBe('From 38 in trial 1 to 82 in trial 4.');
   expect(summary(reinforcement, trials.slice(0, 1))).toBe('−6.24 in trial 1.');
   expect(summary(steps, [])).toBe('No trial to show yet.');
+});
+
+it('has a line for the planned path on steps and reinforcement only', () => {
+  const yardstick = {
+    state: 'ready' as const,
+    total_reinforcement: -4,
+    steps: 25,
+    collisions: 0,
+    resolution: 0,
+    path_m: [],
+  };
+  expect(CURVES.map((kind) => planned(kind, yardstick))).toEqual([null, 25, -4]);
+  expect(CURVES.map((kind) => planned(kind, { state: 'computing' }))).toEqual([null, null, null]);
 });

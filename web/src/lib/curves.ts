@@ -1,7 +1,7 @@
 /** Learning curves: data for the charts, and their summary in words. */
 
 import { number } from './format';
-import type { Trial } from './protocol';
+import type { PlannedPath, Trial, Yardstick } from './protocol';
 
 /** One curve over trials. */
 export interface CurveKind {
@@ -12,6 +12,8 @@ export interface CurveKind {
   /** A capped trial has no defined steps or total reinforcement (section 5.11). */
   needsGoal: boolean;
   value: (trial: Trial) => number;
+  /** What the best path that a planner finds has. */
+  planned?: (path: PlannedPath) => number;
 }
 
 /** The curves of the page, as in Figure 5.8 of the thesis. */
@@ -31,6 +33,7 @@ export const CURVES: CurveKind[] = [
     best: 'least',
     needsGoal: true,
     value: (trial) => trial.steps,
+    planned: (path) => path.steps,
   },
   {
     title: 'Total reinforcement',
@@ -39,6 +42,7 @@ export const CURVES: CurveKind[] = [
     best: 'greatest',
     needsGoal: true,
     value: (trial) => trial.total_reinforcement,
+    planned: (path) => path.total_reinforcement,
   },
 ];
 
@@ -57,6 +61,11 @@ export function points(kind: CurveKind, trials: Trial[]): Points {
     values: trials.map((trial) => (hole(trial) ? null : kind.value(trial))),
     capped: trials.filter(hole).map((trial) => trial.trial),
   };
+}
+
+/** What the planned path has on a curve; none where that means nothing or is not known. */
+export function planned(kind: CurveKind, yardstick: Yardstick): number | null {
+  return yardstick.state === 'ready' && kind.planned ? kind.planned(yardstick) : null;
 }
 
 /** The curve in a sentence or two. */

@@ -2,7 +2,7 @@
 
 import { count, degrees, metres, number, signed, words } from './format';
 import { bearingWords, nearest } from './polar';
-import type { NeuronView, TickView } from './protocol';
+import type { AimView, NeuronView, TickView } from './protocol';
 import type { Value } from './settings';
 
 /** The session's settings by key. */
@@ -78,7 +78,15 @@ function action(tick: TickView): string {
   const turn = turnWords(tick.rotation_deg);
   if (tick.source === 'reflex') return `The bare reflex drove: ${turn}`;
   if (tick.source === 'after-rescue') return `After the rescue the reflex chose this step: ${turn}`;
+  if (tick.aim && tick.exploration.temperature_deg > 0)
+    return `Neuron ${tick.neuron} drove along a shortcut to ${place(tick.aim)}: ${turn}`;
   return `Neuron ${tick.neuron} drove: ${turn}`;
+}
+
+/** Where a shortcut leads: the point, and who is in charge there. */
+function place({ x_m, y_m, then }: AimView): string {
+  const point = `(${number(x_m)}, ${number(y_m)}) m`;
+  return then === null ? `the goal at ${point}` : `${point}, where neuron ${then} takes over`;
 }
 
 /** A rotation as a person would say it. */

@@ -14,8 +14,10 @@ import type {
   TickView,
   Trial,
   WorldView,
+  Yardstick,
 } from './protocol';
 import { Throttle } from './throttle';
+import { withRegret } from './yardstick';
 
 /** Samples a second that the page asks for. */
 const RATES = { tick: 15, depths: 30, neurons: 4 };
@@ -26,6 +28,8 @@ export class LiveSession {
   session = $state.raw<Session | null>(null);
   world = $state.raw<WorldView | null>(null);
   trials = $state.raw<Trial[]>([]);
+  /** The best path a planner finds. */
+  yardstick = $state.raw<Yardstick>({ state: 'computing' });
   neurons = $state.raw<NeuronView[]>([]);
   tick = $state.raw<TickView | null>(null);
   sonar_m = $state.raw<number[]>([]);
@@ -135,6 +139,7 @@ export class LiveSession {
       case 'hello':
         this.session = message.session;
         this.world = message.world;
+        this.yardstick = message.yardstick;
         this.#setTrials(message.trials);
         this.neurons = message.neurons;
         this.tick = message.tick;
@@ -155,6 +160,9 @@ export class LiveSession {
         break;
       case 'trial':
         this.#setTrials(addTrials(this.#trials, message.trials));
+        break;
+      case 'yardstick':
+        this.#measure(message.yardstick);
         break;
       case 'curve':
         // The trials carry the same points and more.
@@ -179,6 +187,12 @@ export class LiveSession {
     this.tick = null;
     this.sonar_m = [];
     this.neurons = [];
+  }
+
+  /** Trials told before the best path was known get their regret now. */
+  #measure(yardstick: Yardstick): void {
+    this.yardstick = yardstick;
+    this.#setTrials(this.#trials.map((trial) => withRegret(trial, yardstick)));
   }
 
   #setTrials(trials: Trial[]): void {

@@ -107,7 +107,10 @@ settings?: Record<string, number | string | boolean>,
 /** Number of trials. */
 trials?: number,
 /** Pace; 30 ticks a second when missing. */
-speed?: Speed, };
+speed?: Speed,
+/** Trained networks to begin with instead of empty ones: a network file, or the identifier of a
+ * session, whose networks are taken as its last finished trial left them. */
+network?: string | NetworkFile, };
 
 /** A session. */
 export type Session = {
@@ -198,6 +201,9 @@ record: boolean,
 temperature_deg: number,
 /** Length of the true path, metres. */
 path_m: number,
+/** Regret R* − R(n): what the best path that a planner finds would have earned more. None when the
+ * goal was not reached, no way was planned, or planning is not done yet; never in the log. */
+regret: number | null,
 /** Steps taken in each region, by the region's name. */
 region_steps: { [key in string]: number },
 /** First tick. */
@@ -219,6 +225,12 @@ best_trial: number | null,
 last_steps: number | null,
 /** Total reinforcement of the last trial. */
 last_total_reinforcement: number | null,
+/** Total reinforcement R* of the best path that a planner finds; none when it finds no way. */
+planned_total_reinforcement: number | null,
+/** Regret of the last trial, R* − R(n); none when it did not reach the goal. */
+last_regret: number | null,
+/** The same in percent of R*; none when the best path costs nothing. */
+last_regret_pct: number | null,
 /** Neurons after the last trial. */
 neurons: number,
 /** Collisions over all trials. */
@@ -242,6 +254,22 @@ trials: Array<Trial>,
 summary: Summary,
 /** What the networks do afterwards from altered starts, where there are any. */
 starts?: Array<AlteredStartView>, };
+
+/** The best path a planner finds in the world and on the cost of a session. */
+export type Yardstick = { "state": "computing" } | { "state": "none" } | { "state": "ready" } & PlannedPath;
+
+/** A path that the robot could drive, were its sensors and odometry without error. */
+export type PlannedPath = {
+/** Its total reinforcement R*, Eq. (5.27). */
+total_reinforcement: number,
+/** Control steps. */
+steps: number,
+/** Steps that end in a collision. */
+collisions: number,
+/** What the planner's finest search still gained: R* may be better by about as much again. */
+resolution: number,
+/** Its places, metres, home first. */
+path_m: Array<[number, number]>, };
 
 /** RFC 9457 problem details. */
 export type Problem = {
@@ -303,6 +331,8 @@ neuron: number | null,
 prototypical_deg: number,
 /** Its utility u; none while pending. */
 utility: number | null,
+/** Where its mean points, when it aims along a shortcut (addition A1). */
+aim: AimView | null,
 /** The stochastic unit, Eq. (5.12)-(5.16). */
 exploration: ExplorationView,
 /** `network`, `reflex` or `after-rescue`. */
@@ -458,8 +488,8 @@ trial: Trial,
 backed_up: Array<ChangeView>,
 /** Prototypical actions replaced, Eq. (5.28), degrees. */
 replaced: Array<ChangeView>,
-/** Means set by the band proposal (addition A1), degrees. */
-proposed: Array<ChangeView>,
+/** Shortcuts proposed (addition A1), with their reason. */
+proposed: Array<ProposalView>,
 /** Neurons deleted (addition D3). */
 forgotten: Array<number>,
 /** All neurons after the trial; centres only where the trial set or moved them. */
@@ -473,6 +503,32 @@ neuron: number,
 before: number,
 /** After. */
 after: number, };
+
+/** A place a neuron aims at (addition A1), odometry frame. */
+export type AimView = {
+/** Metres. */
+x_m: number,
+/** Metres. */
+y_m: number,
+/** Neuron in charge there on the record path; none at the goal. */
+then: number | null, };
+
+/** A shortcut proposed at the end of a record trial (addition A1), and why. */
+export type ProposalView = {
+/** The neuron. */
+neuron: number,
+/** Its mean before, degrees. */
+before: number,
+/** Its mean after, from its prototypical action to the aim, degrees. */
+after: number,
+/** Where it aims. */
+aim: AimView,
+/** Step of the record path that ended there. */
+step: number,
+/** Reinforcement predicted for driving straight there. */
+straight: number,
+/** Utility there; 0 at the goal. */
+utility: number, };
 
 /** A pose to start from. */
 export type StartView = {
@@ -514,7 +570,60 @@ silent_pct: number,
 /** True positions, metres, the start first; left out of `run --json`. */
 path_m?: Array<[number, number]>, };
 
-/** A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`);
+/** Trained networks with everything that decides where they can be used. */
+export type NetworkFile = {
+/** `sonarium-network`. */
+format: string,
+/** [`NETWORK_VERSION`]. */
+version: number,
+/** Program version and commit that trained them. */
+build: string,
+/** Experiment they were trained in. */
+experiment: string,
+/** Robot they were trained on. */
+robot: string,
+/** Its sonars, in the order of the inputs. */
+sonars: Array<SonarView>,
+/** How readings became inputs. */
+input: InputSpans,
+/** Frame of the prototypical actions: `heading`, `rotation` or `goal`. */
+action_frame: string,
+/** World they were trained in. */
+world: string,
+/** Regions of that world, one network each; `all` when there was one network for all. */
+regions: Array<string>,
+/** Goal they were trained for. */
+goal: GoalView,
+/** Every setting of the training. */
+settings: Record<string, number | string | boolean>,
+/** Seed of the training. */
+seed: number,
+/** Trials of the training. */
+trials: number,
+/** The neurons of each network, in the order of the regions. Angles are radians where the name says
+ * so, since a file must give back every bit. */
+networks: unknown[][], };
+
+/** How readings became inputs. */
+export type InputSpans = {
+/** Sonar reading that becomes 1, metres. */
+sonar_span_m: number,
+/** Distance to the goal that becomes 1, metres. */
+distance_span_m: number,
+/** Frame of the sonars: `robot` or `odometry`. */
+sonar_frame: string, };
+
+/** A goal. */
+export type GoalView = {
+/** Metres. */
+x_m: number,
+/** Metres. */
+y_m: number,
+/** Metres. */
+radius_m: number, };
+
+/** A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`,
+ * `yardstick`);
  * `tick`, `depths` and `neurons` are samples of the present and repeat the number of the last event.
  * Arena pictures are binary frames: whole PNG files. */
 export type ServerMessage = { "type": "hello" } & Hello | { "type": "state",
@@ -549,7 +658,11 @@ points: Array<CurvePoint>, } | { "type": "log",
 /** Event number. */
 seq: number,
 /** One or more, in order. */
-entries: Array<LogEntry>, } | { "type": "gap",
+entries: Array<LogEntry>, } | { "type": "yardstick",
+/** Event number. */
+seq: number,
+/** The yardstick. */
+yardstick: Yardstick, } | { "type": "gap",
 /** What the client had. */
 since: number,
 /** Oldest event still held. */
@@ -569,6 +682,8 @@ seq: number,
 session: Session,
 /** The world it runs in. */
 world: WorldView,
+/** The best path a planner finds there. */
+yardstick: Yardstick,
 /** The newest trials, at most [`HELLO_TRIALS`]. */
 trials: Array<Trial>,
 /** All neurons, without their centres. */
@@ -734,6 +849,9 @@ export type ReproductionRow = {
 name: string,
 /** What the thesis prints; none when it prints nothing. */
 published: number | null,
+/** What is required where nothing is published, e.g. `≥ 95`; then the verdict says whether the whole
+ * interval keeps it. */
+required: string | null,
 /** What came out here. */
 ours: number,
 /** Lower end of our 95 % interval. */

@@ -22,6 +22,7 @@ function row(name: string, change: Partial<ReproductionRow> = {}): ReproductionR
   return {
     name,
     published: null,
+    required: null,
     ours: 1,
     low: 0,
     high: 2,

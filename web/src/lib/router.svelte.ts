@@ -1,45 +1,60 @@
 /** Which page the address asks for. */
 
 import type { Session } from './protocol';
+import { routeOf, type Route } from './route';
 
-/** A page. */
-export type Route =
-  | { page: 'home' }
-  | { page: 'session'; id: string }
-  | { page: 'reproductions' }
-  | { page: 'reproduction'; target: string }
-  | { page: 'unknown' };
-
-/** The page behind a path. */
-export function routeOf(path: string): Route {
-  if (path === '/') return { page: 'home' };
-  if (/^\/reproduce\/?$/.test(path)) return { page: 'reproductions' };
-  const [, kind, name] = /^\/(sessions|reproduce)\/([^/]+)\/?$/.exec(path) ?? [];
-  if (!name) return { page: 'unknown' };
-  const which = decodeURIComponent(name);
-  return kind === 'sessions'
-    ? { page: 'session', id: which }
-    : { page: 'reproduction', target: which };
-}
+export * from './route';
 
 class Router {
   /** The session of the page just gone to, when it was known before. */
   known: Session | null = null;
-  route = $state.raw<Route>(routeOf(location.pathname));
+  route = $state.raw<Route>(routeOf(addressOf(location)));
+  /** An address that was not gone to because the page would lose changes; its page asks. */
+  held = $state<string | null>(null);
+  /** Whether leaving the present page would lose something. */
+  #guard: () => boolean = () => false;
+  #address = addressOf(location);
 
   constructor() {
-    addEventListener('popstate', () => {
-      this.known = null;
-      this.#follow();
+    addEventListener('popstate', () => this.#popped());
+    addEventListener('beforeunload', (event) => {
+      if (this.#guard()) event.preventDefault();
     });
   }
 
+  /** Asks before the page is left while `unsaved` holds; answers how to stop asking. */
+  guard(unsaved: () => boolean): () => void {
+    this.#guard = unsaved;
+    return () => {
+      this.#guard = () => false;
+      this.held = null;
+    };
+  }
+
   /** Goes to a page of this site, with what is already known of the session there. */
-  go(path: string, known: Session | null = null): void {
-    history.pushState(null, '', path);
+  go(address: string, known: Session | null = null): void {
+    if (this.#guard()) {
+      this.held = address;
+      return;
+    }
+    history.pushState(null, '', address);
     this.known = known;
     this.#follow();
     scrollTo(0, 0);
+  }
+
+  /** Goes where the reader was held back from, and loses what is unsaved. */
+  leave(): void {
+    const address = this.held;
+    this.#guard = () => false;
+    this.held = null;
+    if (address !== null) this.go(address);
+  }
+
+  /** Gives the present page, as it stands, another address. */
+  rename(address: string): void {
+    history.replaceState(null, '', address);
+    this.#address = address;
   }
 
   /** Follows a plain click on a link within the page, without loading it anew. */
@@ -47,22 +62,34 @@ class Router {
     const link = event.target instanceof Element ? event.target.closest('a') : null;
     const other = event.ctrlKey || event.metaKey || event.shiftKey || event.button !== 0;
     if (!link || other || link.target || link.hasAttribute('download')) return;
-    const { origin, pathname, hash } = new URL(link.href);
-    if (origin !== location.origin || hash || routeOf(pathname).page === 'unknown') return;
+    const url = new URL(link.href);
+    const address = addressOf(url);
+    if (url.origin !== location.origin || url.hash || routeOf(address).page === 'unknown') return;
     event.preventDefault();
-    this.go(pathname);
+    this.go(address);
+  }
+
+  /** Back or forward: the address has changed already. */
+  #popped(): void {
+    const wanted = addressOf(location);
+    if (wanted !== this.#address && this.#guard()) {
+      history.pushState(null, '', this.#address);
+      this.held = wanted;
+      return;
+    }
+    this.known = null;
+    this.#follow();
   }
 
   #follow(): void {
-    this.route = routeOf(location.pathname);
+    this.#address = addressOf(location);
+    this.route = routeOf(this.#address);
   }
+}
+
+function addressOf({ pathname, search }: { pathname: string; search: string }): string {
+  return pathname + search;
 }
 
 /** The page's address. */
 export const router = new Router();
-
-/** Address of the page of a target. */
-export const reproductionPath = (target: string) => `/reproduce/${encodeURIComponent(target)}`;
-
-/** Address of a session's page. */
-export const sessionPath = (id: string) => `/sessions/${encodeURIComponent(id)}`;

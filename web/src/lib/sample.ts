@@ -45,6 +45,7 @@ export function sampleTick(changes: Partial<TickView> = {}): TickView {
     neuron: 17,
     prototypical_deg: 12,
     utility: -3.1,
+    aim: null,
     exploration: {
       temperature_deg: 100,
       mean_deg: 3,
@@ -90,6 +91,7 @@ export function sampleTrial(trial: number, changes: Partial<Trial> = {}): Trial 
     record: false,
     temperature_deg: 10,
     path_m: 5.4,
+    regret: null,
     region_steps: {},
     first_tick: 1,
     last_tick: 27,

@@ -46,10 +46,16 @@ export function presetValue(setting: SettingInfo, preset: PresetInfo | undefined
 /** What was typed, as a value; `null` when it is none. */
 export function parsed(setting: SettingInfo, typed: string | boolean): Value | null {
   if (typeof typed === 'boolean' || setting.kind === 'choice') return typed;
+  const value = typedNumber(typed);
+  if (value === null) return null;
+  return setting.kind === 'integer' && !Number.isInteger(value) ? null : value;
+}
+
+/** A number as people type it, with a comma or a true minus sign too; `null` when it is none. */
+export function typedNumber(typed: string): number | null {
   const text = typed.trim().replace('−', '-').replace(',', '.');
   const value = Number(text);
-  if (text === '' || !Number.isFinite(value)) return null;
-  return setting.kind === 'integer' && !Number.isInteger(value) ? null : value;
+  return text === '' || !Number.isFinite(value) ? null : value;
 }
 
 /** The typed settings that differ from the preset's: only these are sent. */

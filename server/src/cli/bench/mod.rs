@@ -1,8 +1,12 @@
 //! `sonarium bench`: what the program promises about speed and memory, measured.
 
 mod client;
+mod cpu;
 mod headless;
+mod nn;
+mod room;
 mod server;
+mod sonar;
 
 use clap::Args;
 use serde::Serialize;
@@ -11,11 +15,13 @@ use super::{Failure, output};
 use crate::render;
 
 /// What can be measured.
-const TASKS: [&str; 5] = ["run", "run-log", "render", "live", "memory"];
+const TASKS: [&str; 8] = ["run", "run-log", "office", "sonar", "nn", "render", "live", "memory"];
 
 #[derive(Args, Debug)]
 pub(super) struct Arguments {
-    /// What to measure: run, run-log, render, live, memory or all
+    /// What to measure: run (control steps, and the CPU time of a set of 20 trials), run-log (with
+    /// the log), office (a step among thousands of walls), sonar (a robot with 24 sonars in a room of
+    /// 30 walls), nn (the nearest of up to 10,000 centres), render, live, memory or all
     task: String,
     /// Results are always one JSON object a line; taken so that every command takes it
     #[arg(long)]
@@ -25,7 +31,7 @@ pub(super) struct Arguments {
 /// One result.
 #[derive(Debug, Serialize)]
 struct Line {
-    task: &'static str,
+    task: String,
     name: String,
     version: &'static str,
     metric: &'static str,
@@ -57,6 +63,9 @@ fn measure(task: &'static str) -> Result<Vec<Line>, Failure> {
     match task {
         "run" => headless::run(),
         "run-log" => headless::run_with_log(),
+        "office" => headless::office(),
+        "sonar" => sonar::run(),
+        "nn" => nn::run(),
         "live" => server::live(),
         "memory" => server::memory(),
         _ => Ok(render::bench().into_iter().map(render_line).collect()),
@@ -65,7 +74,7 @@ fn measure(task: &'static str) -> Result<Vec<Line>, Failure> {
 
 fn render_line(measured: render::Measurement) -> Line {
     Line {
-        task: "render",
+        task: "render".to_owned(),
         name: format!("sonarium {}", measured.name),
         version: env!("CARGO_PKG_VERSION"),
         metric: measured.metric,
@@ -89,7 +98,7 @@ impl Line {
         measured.sort_by(f64::total_cmp);
         let at = |index: usize| measured.get(index).copied().unwrap_or_default();
         Self {
-            task,
+            task: task.to_owned(),
             name: format!("sonarium {name}"),
             version: env!("CARGO_PKG_VERSION"),
             metric,

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use sonarium_core::stats::Verdict as Judged;
-
 use super::text::cells;
 use crate::reproduce::Target;
 use crate::wire::{Reproduction, ReproductionRow};
@@ -24,7 +22,7 @@ pub(super) fn document(target: &Target, result: &Reproduction) -> String {
     for row in &result.rows {
         text += &format!("| {} |\n", cells(row).map(|cell| escaped(&cell)).join(" | "));
     }
-    text += &format!("\n{}.\n", Judged::RULE);
+    text += &format!("\n{}.\n", target.rule);
     let readings = readings(target, &result.rows);
     if !readings.is_empty() {
         text += &format!("\nReadings:\n\n{}", readings.join(""));

@@ -69,6 +69,7 @@ fn sample_row(name: &str, verdict: crate::wire::Verdict) -> crate::wire::Reprodu
     crate::wire::ReproductionRow {
         name: name.into(),
         published: Some(1.9),
+        required: None,
         ours: 2.0,
         low: 1.0,
         high: 3.0,

@@ -1,7 +1,5 @@
 //! A result for people at a terminal.
 
-use sonarium_core::stats::Verdict as Judged;
-
 use crate::reproduce::Target;
 use crate::wire::{Reproduction, ReproductionRow, Verdict};
 
@@ -14,7 +12,7 @@ pub(super) fn table(target: &Target, result: &Reproduction) -> String {
     for row in &rows {
         text += &line(row, width);
     }
-    text + &format!("\n{}.\n{}", Judged::RULE, conclusion(&result.rows))
+    text + &format!("\n{}.\n{}", target.rule, conclusion(&result.rows))
 }
 
 /// What was done.
@@ -38,12 +36,18 @@ pub(super) fn cells(row: &ReproductionRow) -> [String; 6] {
     let unit = if row.unit.is_empty() { String::new() } else { format!(" ({})", row.unit) };
     [
         format!("{}{unit}", row.name),
-        row.published.map_or_else(|| "none".into(), |published| published.to_string()),
+        published(row),
         format!("{:.2}", row.ours),
         format!("{:.2} to {:.2}", row.low, row.high),
         row.n.to_string(),
         row.verdict.word().to_owned(),
     ]
+}
+
+/// What is published, or required where nothing is.
+fn published(row: &ReproductionRow) -> String {
+    let published = row.published.map(|published| published.to_string());
+    published.or_else(|| row.required.clone()).unwrap_or_else(|| "none".into())
 }
 
 fn line([name, published, ours, interval, n, verdict]: &[String; 6], width: usize) -> String {

@@ -6,7 +6,7 @@ use indicatif::ProgressBar;
 
 use super::super::{Failure, cores};
 use crate::batch::result;
-use crate::catalog::{Catalog, Plan};
+use crate::catalog::{Catalog, Plan, Trained};
 use crate::render::{Backend, Renderer};
 use crate::report;
 use crate::session::{Control, Feed, Lab, Reporter};
@@ -20,7 +20,7 @@ pub(super) fn run(
     plans: &[Plan],
     folder: &Path,
     progress: &ProgressBar,
-    mut take: impl FnMut(RunResult) -> Result<(), Failure>,
+    mut take: impl FnMut(RunResult, &Trained) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let lab = Lab::new(catalog, Store::open(folder)?, cores());
     let backend = Backend::from_environment().map_err(|e| Failure::Input(e.to_string()))?;
@@ -41,7 +41,11 @@ pub(super) fn run(
             write_reports(Reporter { lab: &lab, renderer: &renderer }, &session.id)?;
             let starts = plans.next().map(|plan| plan.starts.as_slice());
             let starts = lab.altered_starts(&session.id, starts)?;
-            take(result(&lab.plan(&session.id)?, lab.store().trials(&session.id)?, starts))?;
+            let trials = lab.store().trials(&session.id)?;
+            let plan = lab.plan(&session.id)?;
+            let network = lab.trained(&session.id)?;
+            let network = network.unwrap_or_else(|| Trained::new(&plan, 0, Vec::new()));
+            take(result(&plan, trials, starts), &network)?;
         }
     }
     Ok(())

@@ -43,7 +43,7 @@ pub(super) fn row(id: &str) -> SessionRow {
 
 pub(super) fn header() -> LogHeader {
     let SessionRow { experiment, seed, settings, trials, build, world_text, .. } = row(ID);
-    LogHeader { experiment, seed, settings, trials, build, world_text }
+    LogHeader { experiment, seed, settings, trials, build, world_text, network_text: None }
 }
 
 pub(super) fn create(store: &Store) -> LogWriter {
@@ -115,6 +115,7 @@ pub(super) fn trial_end(trial: u32) -> TrialEndView {
             record: trial == 1,
             temperature_deg: 100.0,
             path_m: 5.0,
+            regret: None,
             region_steps: [("hall".to_owned(), 10)].into(),
             first_tick: last_tick - TRIAL_TICKS + 1,
             last_tick,
@@ -146,6 +147,7 @@ pub(super) fn tick(n: u64) -> TickView {
         neuron: Some(1),
         prototypical_deg: number(n, 40),
         utility: None,
+        aim: None,
         exploration: ExplorationView {
             temperature_deg: 100.0,
             mean_deg: number(n, 41),

@@ -1,0 +1,113 @@
+//! Where the first action of a new neuron comes from.
+
+use super::{Acting, Learner, Situation};
+use crate::control::ReflexTrace;
+use crate::geometry::{angle, unit};
+use crate::learner::trial_end::PathStep;
+use crate::learner::{Aim, Carry, FirstAction, Neuron, NeuronId, Origin};
+
+/// Distance at which an aim is reached: half a step never passes it by, in advances.
+pub(super) const REACHED: f64 = 0.5;
+
+/// What a new neuron starts with.
+pub(super) struct Heritage {
+    pub(super) origin: Origin,
+    pub(super) prototypical_rad: f64,
+    pub(super) mean_deg: f64,
+    pub(super) aim: Option<Aim>,
+}
+
+impl Heritage {
+    /// Everything that acts, from another neuron.
+    fn of(neuron: &Neuron) -> Self {
+        Self {
+            origin: Origin::Inherited { parent: neuron.id },
+            prototypical_rad: neuron.prototypical_rad,
+            mean_deg: neuron.mean_deg,
+            aim: neuron.aim,
+        }
+    }
+}
+
+impl Learner {
+    /// NOTE (D2): the thesis always asks the reflex. Off the stored path every situation is new, so
+    /// the reflex would pull each excursion back; a new neuron carries on the shortcut under way (A2),
+    /// else continues what its neighbour does.
+    pub(super) fn heritage(
+        &self,
+        situation: &Situation<'_>,
+        nearest: Option<&(Acting, f64)>,
+        reflex: &mut Option<ReflexTrace>,
+    ) -> Heritage {
+        if self.may_inherit(situation) {
+            let shortcut = self.path.last().and_then(|past| self.carry_on(situation, past));
+            let neighbour = || nearest.and_then(|nearest| self.neighbour(nearest));
+            if let Some(heritage) = shortcut.or_else(neighbour) {
+                return heritage;
+            }
+        }
+        let advice = *reflex.get_or_insert_with(|| self.advise(situation));
+        let prototypical_rad = situation.action(advice.rotation_rad);
+        Heritage { origin: Origin::Reflex, prototypical_rad, mean_deg: 0.0, aim: None }
+    }
+
+    fn may_inherit(&self, situation: &Situation<'_>) -> bool {
+        self.settings.first_action != FirstAction::Reflex
+            && self.memory.best.is_some()
+            && !situation.collided()
+    }
+
+    /// A2: the shortcut that the last step followed goes on, or ends here and the neuron in charge at
+    /// its end takes over. Only while exploring: at temperature 0 nothing follows a shortcut.
+    fn carry_on(&self, situation: &Situation<'_>, past: &PathStep) -> Option<Heritage> {
+        if self.settings.shortcut_carry == Carry::Off || self.temperature_deg() <= 0.0 {
+            return None;
+        }
+        let aim = past.aim?;
+        let left_m = (aim.point() - situation.observation.pose.position()).norm();
+        if left_m <= REACHED * self.settings.advance_m {
+            return self.hand_over(aim.then?);
+        }
+        if !self.is_free(situation, aim) {
+            return None;
+        }
+        Some(Heritage {
+            origin: Origin::Inherited { parent: past.neuron },
+            // It goes on the way it came, so that the aim lies within the temperature.
+            prototypical_rad: past.action_rad,
+            mean_deg: past.mean_deg,
+            aim: Some(aim),
+        })
+    }
+
+    fn hand_over(&self, (network, neuron): (usize, NeuronId)) -> Option<Heritage> {
+        if self.settings.shortcut_carry != Carry::HandOver {
+            return None;
+        }
+        self.memory.networks[network].get(neuron).map(Heritage::of)
+    }
+
+    /// Whether the echoes leave room for the next step towards an aim.
+    fn is_free(&self, situation: &Situation<'_>, aim: Aim) -> bool {
+        let observation = situation.observation;
+        let here = observation.pose.position();
+        let echoes = self.settings.echoes(&self.robot, observation.pose, &observation.sonar_m);
+        let step = unit(angle(aim.point() - here)) * self.settings.advance_m;
+        [0.5, 1.0].iter().all(|share| {
+            echoes.clearance_m(here + step * *share) >= self.settings.shortcut_clearance_m
+        })
+    }
+
+    /// D2: the nearest neuron of the network, if it is near enough.
+    fn neighbour(&self, (nearest, squared): &(Acting, f64)) -> Option<Heritage> {
+        let radius = self.settings.inherit_radius * self.settings.novelty;
+        if self.settings.novelty_metric.of(*squared) > radius {
+            return None;
+        }
+        let heritage = Heritage::of(self.memory.networks[nearest.network].get(nearest.neuron)?);
+        Some(match self.settings.first_action {
+            FirstAction::Inherit => heritage,
+            _ => Heritage { mean_deg: 0.0, aim: None, ..heritage },
+        })
+    }
+}

@@ -1,0 +1,113 @@
+use super::*;
+use crate::experiment::Settings;
+use crate::geometry::Pose;
+use crate::learner::memory::Start;
+use crate::learner::{Birth, BirthCause, NeuronId, Origin};
+use crate::robot::examples::b21;
+use crate::robot::{Readings, Robot};
+
+/// Steps of 0.2 m through these points, with nothing around but what `ahead_m` tells of the first.
+fn path(points: &[[f64; 2]], ahead_m: f64) -> Vec<PathStep> {
+    let places: Vec<Vec2> = points.iter().map(|[x, y]| Vec2::new(*x, *y)).collect();
+    let steps = places.windows(2).enumerate();
+    steps
+        .map(|(t, way)| {
+            let mut sonar_m = Readings::from_iter([8.0; 24]);
+            if t == 0 {
+                sonar_m[0] = ahead_m;
+            }
+            PathStep {
+                network: 0,
+                neuron: NeuronId(t as u32),
+                mean_deg: 0.0,
+                aim: None,
+                pose: Pose::new(way[0].x, way[0].y, 0.0),
+                sonar_m,
+                action_rad: 0.0,
+                frame_rad: 0.0,
+                reinforcement: 0.0,
+                safety: 0.0,
+                reached: way[1],
+                away: Vec2::zeros(),
+            }
+        })
+        .collect()
+}
+
+/// A memory with one neuron a step, of these utilities.
+fn memory(settings: &LearnerSettings, utilities: &[f64]) -> Memory {
+    let mut memory = Memory::empty(settings, 1);
+    for utility in utilities {
+        let birth = Birth {
+            trial: 1,
+            step: 1,
+            tick: 1,
+            cause: BirthCause::Empty,
+            origin: Origin::Reflex,
+            pose: Pose::default(),
+        };
+        let start = Start { prototypical_rad: 0.0, mean_deg: 0.0, aim: None, utility: *utility };
+        memory.add(0, [0.0; 32], start, birth);
+    }
+    memory
+}
+
+fn first(settings: &LearnerSettings, utilities: &[f64], path: &[PathStep]) -> Option<Proposal> {
+    let (robot, memory): (_, Memory) = (b21(), memory(settings, utilities));
+    let robot: &Robot = &robot;
+    let goal = Vec2::new(1.0, 0.0);
+    let surveyor = Surveyor { settings, robot, goal, memory: &memory, path };
+    surveyor.survey().into_iter().find(|(t, _)| *t == 0).map(|(_, proposal)| proposal)
+}
+
+/// A detour: the second step ends beside the straight way to the goal, the third is on it again.
+const DETOUR: [[f64; 2]; 4] = [[0.0, 0.0], [0.15, 0.15], [0.4, 0.2], [0.8, 0.0]];
+
+#[test]
+fn the_goal_in_view_is_the_best_point() {
+    let settings = LearnerSettings::from(&Settings::default());
+    let found = first(&settings, &[-3.0, -2.0, -1.0], &path(&DETOUR, 8.0)).expect("a proposal");
+    assert_eq!((found.aim.x_m, found.aim.y_m, found.aim.then), (1.0, 0.0, None));
+    // Driving straight to the goal costs nothing, and nothing is left to expect there.
+    assert_eq!((found.straight, found.utility, found.after_deg), (0.0, 0.0, 0.0));
+}
+
+#[test]
+fn with_the_way_blocked_the_critic_chooses_among_the_points_in_view() {
+    let settings = LearnerSettings::from(&Settings::default());
+    // A wall 0.5 m ahead of the shell hides the last point and the goal.
+    let path = path(&DETOUR, 0.5);
+    let found = first(&settings, &[-3.0, -2.0, -0.2], &path).expect("a proposal");
+    assert_eq!((found.step, found.utility), (2, -0.2));
+    assert_eq!(found.aim.then, Some((0, NeuronId(2))));
+    // Eq. (5.7): the mean bearing error on the way is below a right angle, so it costs below 1/2 a step.
+    assert!((-1.2..0.0).contains(&found.straight), "{}", found.straight);
+    // A critic that expects little of the farther point prefers the nearer one.
+    let found = first(&settings, &[-3.0, -2.0, -9.0], &path).expect("a proposal");
+    assert_eq!((found.step, found.utility), (1, -2.0));
+    // Without a critic the farthest in view is chosen all the same.
+    let blind = LearnerSettings { shortcut_judge: Judge::Farthest, ..settings };
+    assert_eq!(first(&blind, &[-3.0, -2.0, -9.0], &path).map(|found| found.step), Some(2));
+}
+
+#[test]
+fn nothing_is_proposed_beyond_the_temperature() {
+    let mut settings = LearnerSettings::from(&Settings::default());
+    // Both points in view lie more than 20° to the left of p = 0.
+    settings.temperature_max_deg = 20.0;
+    assert_eq!(first(&settings, &[-3.0, -2.0, -0.2], &path(&DETOUR, 0.5)), None);
+}
+
+#[test]
+fn a_point_that_cost_clearance_is_moved_off_the_wall() {
+    let settings = LearnerSettings::from(&Settings::default());
+    let mut path = path(&DETOUR, 0.5);
+    path[1].safety = -0.5;
+    path[1].away = Vec2::new(0.0, 1.0);
+    // d_c min(-f₁, 1) = 0.2 · 0.5 = 0.1 m.
+    let found = first(&settings, &[-3.0, -9.0, -0.2], &path).expect("a proposal");
+    assert!((found.aim.x_m - 0.4).abs() < 1e-12 && (found.aim.y_m - 0.3).abs() < 1e-12);
+    let still = LearnerSettings { shortcut_push: false, ..settings };
+    let found = first(&still, &[-3.0, -9.0, -0.2], &path).expect("a proposal");
+    assert!((found.aim.y_m - 0.2).abs() < 1e-12);
+}

@@ -1,0 +1,52 @@
+/** Pages and their addresses. */
+
+/** A page. */
+export type Route =
+  | { page: 'home'; world: string }
+  | { page: 'session'; id: string }
+  | { page: 'reproductions' }
+  | { page: 'reproduction'; target: string }
+  | { page: 'worlds' }
+  | { page: 'new-world'; from: string }
+  | { page: 'world'; name: string }
+  | { page: 'unknown' };
+
+/** The page behind an address: path and query. */
+export function routeOf(address: string): Route {
+  const [path = '', search = ''] = address.split('?');
+  const asked = new URLSearchParams(search);
+  if (path === '/') return { page: 'home', world: asked.get('world') ?? '' };
+  const id = within(path, 'sessions');
+  if (id !== null) return { page: 'session', id };
+  if (/^\/reproduce\/?$/.test(path)) return { page: 'reproductions' };
+  const target = within(path, 'reproduce');
+  if (target !== null) return { page: 'reproduction', target };
+  if (/^\/worlds\/?$/.test(path)) return { page: 'worlds' };
+  const name = within(path, 'worlds');
+  if (name === 'new') return { page: 'new-world', from: asked.get('from') ?? '' };
+  return name === null ? { page: 'unknown' } : { page: 'world', name };
+}
+
+function within(path: string, folder: string): string | null {
+  const match = new RegExp(`^/${folder}/([^/]+)/?$`).exec(path);
+  try {
+    return match?.[1] === undefined ? null : decodeURIComponent(match[1]);
+  } catch {
+    return null;
+  }
+}
+
+/** Address of a session's page. */
+export const sessionPath = (id: string) => `/sessions/${encodeURIComponent(id)}`;
+
+/** Address of the page of a target. */
+export const reproductionPath = (target: string) => `/reproduce/${encodeURIComponent(target)}`;
+
+/** Address of a world's editor. */
+export const worldPath = (name: string) => `/worlds/${encodeURIComponent(name)}`;
+
+/** Address of the editor of a new world that begins as a copy of another. */
+export const copyPath = (name: string) => `/worlds/new?from=${encodeURIComponent(name)}`;
+
+/** Address of the form for a new session in a world. */
+export const sessionInPath = (name: string) => `/?world=${encodeURIComponent(name)}`;
