@@ -97,6 +97,7 @@ test('a stranger brings a map, mends what is marked, saves it and runs a trial i
   await expect(regions.getByLabel('Bound of line 1')).toHaveValue(/^3\.(1|2)/);
   await expect(check).toContainText('The robot can go from home to the goal');
   await axeFindsNothing(page);
+  await page.evaluate(() => scrollTo(0, 0));
   await photograph(page, 'world-editor');
 
   // Saved under a name; leaving with changes asks first.

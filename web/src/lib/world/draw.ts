@@ -42,11 +42,12 @@ export function drawScene(context: Context, scene: Scene, ink: Ink): void {
   context.font = ink.font;
   if (scene.picture) drawPicture(context, scene, scene.picture);
   drawGrid(context, scene, ink);
-  drawRegions(context, scene, ink);
+  drawRegions(context, scene);
   drawSolid(context, scene, ink);
   drawLines(context, scene, ink);
   drawGoal(context, scene, ink);
   drawHome(context, scene, ink);
+  drawRegionNames(context, scene, ink);
   drawMarks(context, scene, ink);
   drawScale(context, scene, ink);
 }
@@ -99,7 +100,7 @@ function drawGrid(context: Context, scene: Scene, ink: Ink): void {
   context.globalAlpha = 1;
 }
 
-function drawRegions(context: Context, scene: Scene, ink: Ink): void {
+function drawRegions(context: Context, scene: Scene): void {
   const { shapes, region, theme } = scene;
   if (shapes.length < 2) return;
   shapes.forEach(({ polygons_m }, index) => {
@@ -109,6 +110,11 @@ function drawRegions(context: Context, scene: Scene, ink: Ink): void {
     context.fill(ringsPath(polygons_m));
     context.restore();
   });
+}
+
+function drawRegionNames(context: Context, scene: Scene, ink: Ink): void {
+  const { shapes, region } = scene;
+  if (shapes.length < 2) return;
   shapes.forEach(({ name, polygons_m }, index) => {
     const largest = polygons_m.toSorted((p, q) => area_m2(q) - area_m2(p))[0];
     if (!largest) return;
