@@ -6,7 +6,9 @@ use sonarium_core::geometry::Vec2;
 use sonarium_core::stats::{self, Estimate};
 
 use super::figure_5_9::{TRC_SEEDS, TRIALS, first_reached};
-use super::{Arm, Findings, PRESETS, Picture, ReproductionError, Row, Sample, Set, Sets, Target};
+use super::{
+    Arm, Findings, PRESETS, PUBLISHED, Picture, ReproductionError, Row, Sample, Set, Sets, Target,
+};
 use crate::catalog::{MINIMUM_COST_PATH_TRC, Plan};
 use crate::render::ArenaView;
 use crate::session::{Run, Scenery, starts_arena};

@@ -5,7 +5,9 @@ use std::ops::RangeInclusive;
 use sonarium_core::stats::{self, Estimate};
 
 use super::figure_5_8::sample;
-use super::{Findings, PRESETS, ReproductionError, Row, Sample, Set, Sets, Target, curve};
+use super::{
+    Findings, PRESETS, PUBLISHED, ReproductionError, Row, Sample, Set, Sets, Target, curve,
+};
 use crate::catalog::MINIMUM_COST_PATH_TRC;
 use crate::wire::Trial;
 
