@@ -81,7 +81,7 @@ impl Sets<'_> {
             sample.sets.iter().for_each(|_| (self.done)());
             return Ok(sample);
         }
-        let sample = Arc::new(self.from(target, arm, starts)?);
+        let sample = Arc::new(self.run_from(target, arm, starts)?);
         self.kept.put(key, sample.clone());
         Ok(sample)
     }
@@ -91,10 +91,10 @@ impl Sets<'_> {
     /// # Errors
     /// When the arm's settings do not fit.
     pub fn of(&self, target: &Target, arm: &Arm) -> Result<Sample, ReproductionError> {
-        self.from(target, arm, &[])
+        self.run_from(target, arm, &[])
     }
 
-    fn from(
+    fn run_from(
         &self,
         target: &Target,
         arm: &Arm,
