@@ -1,7 +1,8 @@
 //! Networks that go on learning elsewhere: another goal, a closed door, another seed.
 //!
 //! What was learned is kept: centres, prototypical actions, means, utilities. What belonged to the run is
-//! not: its trials and ticks, its temperature, and its record, since another task has another.
+//! not: its trials and ticks, its temperature, its record, since another task has another, and the
+//! shortcuts (addition A1) along that record's path.
 
 use super::{LearnerSettings, Memory, Neuron};
 
@@ -43,6 +44,9 @@ fn carried(neuron: &Neuron) -> Neuron {
     let mut carried = neuron.clone();
     (carried.birth.trial, carried.birth.step, carried.birth.tick) = (0, 0, 0);
     carried.pending = false;
+    if carried.aim.take().is_some() {
+        carried.mean_deg = 0.0;
+    }
     carried
 }
 
