@@ -6,8 +6,8 @@
 use crate::control::ReflexSettings;
 use crate::fuzzy::Inference;
 use crate::learner::{
-    ActionFrame, AfterRescue, Carry, Deviation, FirstAction, Judge, MeanUpdate, NoveltyMetric,
-    Partition, Replacement, SonarFrame,
+    ActionFrame, AfterRescue, Carry, Deviation, Draw, FirstAction, Judge, MeanUpdate,
+    NoveltyMetric, Partition, Replacement, SonarFrame,
 };
 use crate::robot::SimulationSettings;
 
@@ -64,6 +64,7 @@ crate::settings! {
         exploit_from: u32 = 16, "learner.exploit_from" [0.0, 100_000.0] "trial", Deviation, "D4; Eq. (5.17)", "Trial from which the temperature is 0 and the best path is replayed; 0: never; tuned in the laboratory";
         sigma_scale: f64 = 0.05, "learner.sigma_scale" [0.0, 1.0] "", Deviation, "D1; Eq. (5.14)", "Share of σ that is used; 1 is literal";
         deviation: Deviation = Deviation::Half, "learner.sigma_reading" "", Reading, "Eq. (5.12)", "Standard deviation of the draw for a given σ";
+        draw: Draw = Draw::Step, "learner.draw" "", Literal, "Algorithm 9", "How long a draw of the stochastic unit holds";
         first_action: FirstAction = FirstAction::Inherit, "learner.new_neuron" "", Deviation, "D2; section 5.7", "Where the first action of a new neuron comes from";
         inherit_radius: f64 = 5.0, "learner.inherit_radius" [0.0, 100.0] "ς", Deviation, "D2, tuned", "Greatest distance of the neuron copied from, in receptive fields";
         forget_unrecorded: bool = true, "learner.forget_unrecorded" "", Deviation, "D3; section 5.9", "Delete the neurons born in a trial that set no record";

@@ -17,7 +17,7 @@ use super::stochastic::{eligibility, explore};
 use super::trial_end::{Changes, PathStep, close};
 use super::{
     ActionFrame, ActionSource, Adaptation, AfterRescue, Aim, Birth, BirthCause, Consequence,
-    Decision, Exploration, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId, Observation,
+    Decision, Draw, Exploration, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId, Observation,
     Origin, Partition, Winner, annealing, reinforcement,
 };
 use crate::control::{Reflex, ReflexTrace};
@@ -99,6 +99,8 @@ pub struct Learner {
     born: Vec<(usize, NeuronId)>,
     recentred: Vec<NeuronId>,
     waiting: Option<(Past, PathStep)>,
+    /// The last draw in this trial, and the neuron it was drawn for.
+    drawn: Option<(NeuronId, f64)>,
     step: u32,
 }
 
@@ -141,6 +143,7 @@ impl Learner {
             born: Vec::new(),
             recentred: Vec::new(),
             waiting: None,
+            drawn: None,
             step: 0,
         }
     }
@@ -222,6 +225,7 @@ impl Learner {
         self.rng = rng;
         self.past = None;
         self.waiting = None;
+        self.drawn = None;
         self.path.clear();
         self.born.clear();
         self.step = 0;
@@ -299,8 +303,10 @@ impl Learner {
             acting.utility,
             self.mean_deg(situation, &acting),
             self.temperature_deg(),
+            self.held(&acting),
             &mut self.rng,
         );
+        self.drawn = Some((acting.neuron, exploration.drawn_deg));
         // NOTE (D5): Algorithm 9 rescues the robot and lets the same winner try the same way again; here
         // the step after a rescue is the reflex's, and is recorded like any other.
         let rescued = situation.collided() && self.settings.after_rescue == AfterRescue::Reflex;
@@ -347,6 +353,15 @@ impl Learner {
         // A1: μ_i = arg(q - p_r) - p_i
         let aim_rad = angle(way) - situation.frame_rad;
         wrap_angle(aim_rad - acting.prototypical_rad).to_degrees()
+    }
+
+    /// The draw that still holds, if one does.
+    ///
+    /// NOTE: where a step is short against a receptive field, a neuron acts several times running, and
+    /// keeps one action only, Eq. (5.28); draws that differ from step to step could not be kept.
+    fn held(&self, acting: &Acting) -> Option<f64> {
+        let drawn = self.drawn.filter(|(neuron, _)| *neuron == acting.neuron);
+        drawn.filter(|_| self.settings.draw == Draw::Activation).map(|(_, drawn_deg)| drawn_deg)
     }
 
     /// Why a neuron must be added here, if it must.

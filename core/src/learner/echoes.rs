@@ -87,8 +87,11 @@ mod tests {
         assert!((echoes.free_m(FRAC_PI_2) - 1.0).abs() < 1e-12);
         assert!((echoes.free_m(FRAC_PI_2 + 0.2) - 8.0).abs() < 1e-12, "the sonar to its left");
         assert!((echoes.free_m(-PI) - 8.0).abs() < 1e-12, "the sonar to the west");
-        // The echo is 1 m from the shell; a step towards it takes as much clearance.
-        for (ahead_m, expected_m) in [(0.0, 1.0), (0.5, 0.5), (1.0, 0.0)] {
+        // The echo may have come from the axis, 1 m from the shell, or from an edge of the cone, which is
+        // the nearer one from afar.
+        let (radius_m, edge_rad) = (robot.body().reach_m(), 7.5f64.to_radians());
+        let edge_m = (radius_m + edge_rad.cos()).hypot(edge_rad.sin()) - radius_m;
+        for (ahead_m, expected_m) in [(0.0, edge_m), (0.5, 0.5), (1.0, 0.0)] {
             let found_m = echoes.clearance_m(Vec2::new(1.0, 2.0 + ahead_m));
             assert!((found_m - expected_m).abs() < 1e-12, "{ahead_m}: {found_m}");
         }

@@ -41,6 +41,6 @@ pub use memory::Memory;
 pub use network::{Network, Neuron, NoveltyMetric, Partition};
 pub use reward::{RewardSettings, reinforcement};
 pub use settings::{
-    ActionFrame, AfterRescue, Carry, Deviation, FirstAction, Judge, LearnerSettings, MeanUpdate,
-    Replacement,
+    ActionFrame, AfterRescue, Carry, Deviation, Draw, FirstAction, Judge, LearnerSettings,
+    MeanUpdate, Replacement,
 };

@@ -76,6 +76,14 @@ crate::choice! {
     }
 }
 
+crate::choice! {
+    /// How long a draw of the stochastic unit holds.
+    pub enum Draw {
+        Step = "step": "one step, Algorithm 9",
+        Activation = "activation": "as long as the same neuron stays active",
+    }
+}
+
 /// Settings of the learner, in the units it computes with.
 #[derive(Clone, Debug, PartialEq)]
 #[expect(missing_docs, reason = "each is documented once, in the experiment's settings")]
@@ -94,6 +102,7 @@ pub struct LearnerSettings {
     pub exploit_from: u32,
     pub sigma_scale: f64,
     pub deviation: Deviation,
+    pub draw: Draw,
     pub first_action: FirstAction,
     pub inherit_radius: f64,
     pub forget_unrecorded: bool,
@@ -140,6 +149,7 @@ impl From<&Settings> for LearnerSettings {
             exploit_from: settings.exploit_from,
             sigma_scale: settings.sigma_scale,
             deviation: settings.deviation,
+            draw: settings.draw,
             first_action: settings.first_action,
             inherit_radius: settings.inherit_radius,
             forget_unrecorded: settings.forget_unrecorded,

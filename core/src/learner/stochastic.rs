@@ -7,13 +7,14 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::{Deviation, Exploration, LearnerSettings};
 
-/// Draws `ξ` for a neuron with utility `u` and mean `μ` at a temperature.
+/// Draws `ξ` for a neuron with utility `u` and mean `μ` at a temperature, unless an earlier draw holds.
 #[must_use]
 pub(super) fn explore(
     settings: &LearnerSettings,
     utility: f64,
     mean_deg: f64,
     temperature_deg: f64,
+    held_deg: Option<f64>,
     rng: &mut impl Rng,
 ) -> Exploration {
     // Eq. (5.14): σ = T(n) / (1 + exp(u))
@@ -26,7 +27,9 @@ pub(super) fn explore(
         Deviation::Whole => used_deg,
     };
     // Eq. (5.12)-(5.13): ξ ~ N(μ_i, σ)
-    let drawn_deg = if deviation_deg > 0.0 {
+    let drawn_deg = if let Some(held_deg) = held_deg {
+        held_deg
+    } else if deviation_deg > 0.0 {
         let normal: f64 = StandardNormal.sample(rng);
         mean_deg + deviation_deg * normal
     } else {
@@ -67,7 +70,7 @@ mod tests {
     fn a_low_utility_explores_and_a_high_one_does_not() {
         let mut rng = stream(1, 0, Purpose::Exploration);
         for (utility, expected_deg) in [(0.0, 50.0), (-800.0, 100.0), (800.0, 0.0)] {
-            let found = explore(&literal(), utility, 0.0, 100.0, &mut rng);
+            let found = explore(&literal(), utility, 0.0, 100.0, None, &mut rng);
             assert!((found.sigma_deg - expected_deg).abs() < 1e-9, "u = {utility}");
         }
     }
@@ -77,7 +80,7 @@ mod tests {
         let mut rng = stream(7, 0, Purpose::Exploration);
         let n = 20_000;
         let draws: Vec<f64> =
-            (0..n).map(|_| explore(&literal(), 0.0, 5.0, 20.0, &mut rng).drawn_deg).collect();
+            (0..n).map(|_| explore(&literal(), 0.0, 5.0, 20.0, None, &mut rng).drawn_deg).collect();
         let mean = draws.iter().sum::<f64>() / f64::from(n);
         let variance = draws.iter().map(|draw| (draw - mean).powi(2)).sum::<f64>() / f64::from(n);
         // σ = 10: the mean of 20,000 draws is within 5 standard errors of 5, the deviation within 3 %.
@@ -91,7 +94,7 @@ mod tests {
         for (mean_deg, temperature_deg, expected_deg) in
             [(500.0, 10.0, 10.0), (-500.0, 10.0, -10.0), (30.0, 0.0, 0.0)]
         {
-            let found = explore(&literal(), 0.0, mean_deg, temperature_deg, &mut rng);
+            let found = explore(&literal(), 0.0, mean_deg, temperature_deg, None, &mut rng);
             assert!((found.xi_deg - expected_deg).abs() < 1e-12, "{mean_deg} {temperature_deg}");
         }
     }

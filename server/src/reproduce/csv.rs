@@ -77,7 +77,7 @@ mod tests {
         let line = text.lines().nth(1).expect("a row");
         assert_eq!(
             line,
-            "default: steps,,27.5,27,28,200,,cannot tell,\"read as \"\"few\"\", or so\""
+            "default: steps,,,27.5,27,28,200,,cannot tell,\"read as \"\"few\"\", or so\""
         );
     }
 

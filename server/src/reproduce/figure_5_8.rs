@@ -1,11 +1,13 @@
 //! Figure 5.8: trajectories of the simulated TRC, and what its trained network does from elsewhere.
 
+use std::sync::Arc;
+
 use sonarium_core::geometry::Vec2;
 use sonarium_core::stats::{self, Estimate};
 
-use super::figure_5_9::{TRIALS, first_reached};
+use super::figure_5_9::{TRC_SEEDS, TRIALS, first_reached};
 use super::{
-    Findings, PRESETS, PUBLISHED, Picture, ReproductionError, Row, Sample, Set, Sets, Target,
+    Arm, Findings, PRESETS, PUBLISHED, Picture, ReproductionError, Row, Sample, Set, Sets, Target,
 };
 use crate::catalog::{MINIMUM_COST_PATH_TRC, Plan};
 use crate::render::ArenaView;
@@ -33,7 +35,7 @@ pub static FIGURE_5_8: Target = Target {
     experiment: MINIMUM_COST_PATH_TRC,
     arms: PRESETS,
     trials: TRIALS,
-    seeds: 700_000..=700_049,
+    seeds: TRC_SEEDS,
     find,
 };
 
@@ -56,14 +58,22 @@ const STARTS_M: [[f64; 2]; 12] = [
 fn find(target: &Target, sets: &Sets<'_>) -> Result<Findings, ReproductionError> {
     let mut findings = Findings::default();
     for arm in target.arms {
-        let plan = sets.plan(target, arm)?;
-        let plan = Plan { starts: starts(&plan), ..plan };
-        let sample = sets.with(target, arm, plan)?;
+        let sample = sample(target, sets, arm)?;
         let rows = rows(&sample);
         findings.rows.extend(rows.iter().filter_map(|(row, ours)| row.of(&sample, *ours)));
         findings.pictures.extend(pictures(&sample)?);
     }
     Ok(findings)
+}
+
+/// The sets of an arm, each tried from the starts; both figures of the simulated robot look at them.
+pub(super) fn sample(
+    target: &Target,
+    sets: &Sets<'_>,
+    arm: &Arm,
+) -> Result<Arc<Sample>, ReproductionError> {
+    let plan = sets.plan(target, arm)?;
+    sets.shared_from(target, arm, &starts(&plan))
 }
 
 /// The starts, facing the goal; none for what has no network.

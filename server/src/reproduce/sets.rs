@@ -9,7 +9,7 @@ use super::{Arm, ReproductionError, Target};
 use crate::batch;
 use crate::catalog::{Catalog, FieldError, Plan};
 use crate::session::Run;
-use crate::wire::{AlteredStartView, NewSession, Trial};
+use crate::wire::{AlteredStartView, NewSession, StartView, Trial};
 
 /// What runs sets of trials for a target.
 #[derive(Clone, Copy)]
@@ -62,12 +62,26 @@ impl Sets<'_> {
     /// # Errors
     /// When the arm's settings do not fit.
     pub fn shared(&self, target: &Target, arm: &Arm) -> Result<Arc<Sample>, ReproductionError> {
-        let key = format!("{} {arm:?} {} {:?}", target.experiment, target.trials, target.seeds);
+        self.shared_from(target, arm, &[])
+    }
+
+    /// The same, its trained networks tried from altered starts.
+    ///
+    /// # Errors
+    /// When the arm's settings do not fit.
+    pub fn shared_from(
+        &self,
+        target: &Target,
+        arm: &Arm,
+        starts: &[StartView],
+    ) -> Result<Arc<Sample>, ReproductionError> {
+        let Target { experiment, trials, seeds, .. } = target;
+        let key = format!("{experiment} {arm:?} {trials} {seeds:?} {starts:?}");
         if let Some(sample) = self.kept.get(&key) {
             sample.sets.iter().for_each(|_| (self.done)());
             return Ok(sample);
         }
-        let sample = Arc::new(self.of(target, arm)?);
+        let sample = Arc::new(self.from(target, arm, starts)?);
         self.kept.put(key, sample.clone());
         Ok(sample)
     }
@@ -77,19 +91,16 @@ impl Sets<'_> {
     /// # Errors
     /// When the arm's settings do not fit.
     pub fn of(&self, target: &Target, arm: &Arm) -> Result<Sample, ReproductionError> {
-        self.with(target, arm, self.plan(target, arm)?)
+        self.from(target, arm, &[])
     }
 
-    /// The sets of an arm of which something in the plan was changed, run now.
-    ///
-    /// # Errors
-    /// When the plan's settings do not fit.
-    pub fn with(
+    fn from(
         &self,
         target: &Target,
         arm: &Arm,
-        plan: Plan,
+        starts: &[StartView],
     ) -> Result<Sample, ReproductionError> {
+        let plan = Plan { starts: starts.to_vec(), ..self.plan(target, arm)? };
         let seeds: Vec<u64> = target.seeds.clone().collect();
         let sets = self.each(&seeds, |&seed| Set::run(&Plan { seed, ..plan.clone() }))?;
         let seeds = [*target.seeds.start(), *target.seeds.end()];

@@ -93,7 +93,7 @@ fn a_network_that_cannot_be_used_is_refused_with_the_field() {
         (json!({}), "network.format", "no network file"),
         (with("/version", json!(2)), "network.version", "newer"),
         (with("/version", json!("one")), "network.version", "must be 1"),
-        (extended, "network", "mood"),
+        (extended, "network.mood", "unknown field"),
         (fewer, "network.sonars", "24 sonars"),
         (with("/sonars/3/bearing_deg", json!(44)), "network.sonars[3]", "45°"),
         (

@@ -201,6 +201,9 @@ record: boolean,
 temperature_deg: number,
 /** Length of the true path, metres. */
 path_m: number,
+/** Regret R* − R(n): what the best path that a planner finds would have earned more. None when the
+ * goal was not reached, no way was planned, or planning is not done yet; never in the log. */
+regret: number | null,
 /** Steps taken in each region, by the region's name. */
 region_steps: { [key in string]: number },
 /** First tick. */
@@ -222,6 +225,12 @@ best_trial: number | null,
 last_steps: number | null,
 /** Total reinforcement of the last trial. */
 last_total_reinforcement: number | null,
+/** Total reinforcement R* of the best path that a planner finds; none when it finds no way. */
+planned_total_reinforcement: number | null,
+/** Regret of the last trial, R* − R(n); none when it did not reach the goal. */
+last_regret: number | null,
+/** The same in percent of R*; none when the best path costs nothing. */
+last_regret_pct: number | null,
 /** Neurons after the last trial. */
 neurons: number,
 /** Collisions over all trials. */
@@ -245,6 +254,22 @@ trials: Array<Trial>,
 summary: Summary,
 /** What the networks do afterwards from altered starts, where there are any. */
 starts?: Array<AlteredStartView>, };
+
+/** The best path a planner finds in the world and on the cost of a session. */
+export type Yardstick = { "state": "computing" } | { "state": "none" } | { "state": "ready" } & PlannedPath;
+
+/** A path that the robot could drive, were its sensors and odometry without error. */
+export type PlannedPath = {
+/** Its total reinforcement R*, Eq. (5.27). */
+total_reinforcement: number,
+/** Control steps. */
+steps: number,
+/** Steps that end in a collision. */
+collisions: number,
+/** What the planner's finest search still gained: R* may be better by about as much again. */
+resolution: number,
+/** Its places, metres, home first. */
+path_m: Array<[number, number]>, };
 
 /** RFC 9457 problem details. */
 export type Problem = {
@@ -306,6 +331,8 @@ neuron: number | null,
 prototypical_deg: number,
 /** Its utility u; none while pending. */
 utility: number | null,
+/** Where its mean points, when it aims along a shortcut (addition A1). */
+aim: AimView | null,
 /** The stochastic unit, Eq. (5.12)-(5.16). */
 exploration: ExplorationView,
 /** `network`, `reflex` or `after-rescue`. */
@@ -461,8 +488,8 @@ trial: Trial,
 backed_up: Array<ChangeView>,
 /** Prototypical actions replaced, Eq. (5.28), degrees. */
 replaced: Array<ChangeView>,
-/** Means set by the band proposal (addition A1), degrees. */
-proposed: Array<ChangeView>,
+/** Shortcuts proposed (addition A1), with their reason. */
+proposed: Array<ProposalView>,
 /** Neurons deleted (addition D3). */
 forgotten: Array<number>,
 /** All neurons after the trial; centres only where the trial set or moved them. */
@@ -476,6 +503,32 @@ neuron: number,
 before: number,
 /** After. */
 after: number, };
+
+/** A place a neuron aims at (addition A1), odometry frame. */
+export type AimView = {
+/** Metres. */
+x_m: number,
+/** Metres. */
+y_m: number,
+/** Neuron in charge there on the record path; none at the goal. */
+then: number | null, };
+
+/** A shortcut proposed at the end of a record trial (addition A1), and why. */
+export type ProposalView = {
+/** The neuron. */
+neuron: number,
+/** Its mean before, degrees. */
+before: number,
+/** Its mean after, from its prototypical action to the aim, degrees. */
+after: number,
+/** Where it aims. */
+aim: AimView,
+/** Step of the record path that ended there. */
+step: number,
+/** Reinforcement predicted for driving straight there. */
+straight: number,
+/** Utility there; 0 at the goal. */
+utility: number, };
 
 /** A pose to start from. */
 export type StartView = {
@@ -569,7 +622,8 @@ y_m: number,
 /** Metres. */
 radius_m: number, };
 
-/** A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`);
+/** A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`,
+ * `yardstick`);
  * `tick`, `depths` and `neurons` are samples of the present and repeat the number of the last event.
  * Arena pictures are binary frames: whole PNG files. */
 export type ServerMessage = { "type": "hello" } & Hello | { "type": "state",
@@ -604,7 +658,11 @@ points: Array<CurvePoint>, } | { "type": "log",
 /** Event number. */
 seq: number,
 /** One or more, in order. */
-entries: Array<LogEntry>, } | { "type": "gap",
+entries: Array<LogEntry>, } | { "type": "yardstick",
+/** Event number. */
+seq: number,
+/** The yardstick. */
+yardstick: Yardstick, } | { "type": "gap",
 /** What the client had. */
 since: number,
 /** Oldest event still held. */
@@ -624,6 +682,8 @@ seq: number,
 session: Session,
 /** The world it runs in. */
 world: WorldView,
+/** The best path a planner finds there. */
+yardstick: Yardstick,
 /** The newest trials, at most [`HELLO_TRIALS`]. */
 trials: Array<Trial>,
 /** All neurons, without their centres. */
@@ -789,6 +849,9 @@ export type ReproductionRow = {
 name: string,
 /** What the thesis prints; none when it prints nothing. */
 published: number | null,
+/** What is required where nothing is published, e.g. `≥ 95`; then the verdict says whether the whole
+ * interval keeps it. */
+required: string | null,
 /** What came out here. */
 ours: number,
 /** Lower end of our 95 % interval. */

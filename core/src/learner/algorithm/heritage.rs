@@ -68,7 +68,10 @@ impl Learner {
         if left_m <= REACHED * self.settings.advance_m {
             return self.hand_over(aim.then?);
         }
-        self.is_free(situation, aim).then(|| Heritage {
+        if !self.is_free(situation, aim) {
+            return None;
+        }
+        Some(Heritage {
             origin: Origin::Inherited { parent: past.neuron },
             // It goes on the way it came, so that the aim lies within the temperature.
             prototypical_rad: past.action_rad,

@@ -3,7 +3,7 @@
 import { ask, problemIn, Refusal, request, ROOT, SILENCE, type Size } from '../api';
 import type { ThemeName } from '../protocol';
 import type { Draft } from './draft';
-import type { RegionProposal, TraceDraft, WorldCheck, WorldFile, WorldSummary } from './shapes';
+import type { RegionProposal, TraceDraft, WorldCheck, WorldFile, WorldSummary } from '../protocol';
 
 const path = (name: string) => `worlds/${encodeURIComponent(name)}`;
 

@@ -5,7 +5,7 @@ import * as api from './api';
 import type { Underlay } from './draw';
 import type { Beginning } from './editor.svelte';
 import { freeName, nameFrom } from './names';
-import type { MapPicture, TraceDraft, WorldFile, WorldSummary } from './shapes';
+import type { MapPicture, TraceDraft, WorldFile, WorldSummary } from '../protocol';
 
 /** Begins with an uploaded world; its name is changed when it is taken. */
 export async function fromFile(file: File, taken: string[]): Promise<Beginning> {

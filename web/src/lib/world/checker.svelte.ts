@@ -4,7 +4,7 @@ import { problemOf } from '../api';
 import type { Problem } from '../protocol';
 import { check } from './api';
 import type { Draft } from './draft';
-import type { WorldCheck } from './shapes';
+import type { WorldCheck } from '../protocol';
 
 /** Quiet time after an edit before it is checked, milliseconds. */
 const QUIET_MS = 200;

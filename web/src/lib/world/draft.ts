@@ -1,6 +1,6 @@
 /** A world as it is edited: what its file says, and the edits that can be made to it. */
 
-import type { WorldFile, WorldRegion, WorldRule } from './shapes';
+import type { WorldFile, WorldRegion, WorldRule } from '../protocol';
 import type { Bounds, Point } from './view';
 
 /** A world's file, with all its lists. */

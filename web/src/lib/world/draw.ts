@@ -7,7 +7,7 @@ import { drawGoal, drawHome, drawLines, drawMarks, drawScale, label } from './ma
 import type { Draft } from './draft';
 import type { Mark } from './faults';
 import { seen, type Chosen, type Plan } from './grips';
-import type { RegionShape } from './shapes';
+import type { RegionShape } from '../protocol';
 import { gridStep_m, toScreen, type Point } from './view';
 
 /** Everything that is drawn. */

@@ -20,7 +20,7 @@ import type { Underlay } from './draw';
 import { chainOf, elementOf, marksOf } from './faults';
 import { removed, type Chosen } from './grips';
 import { ruleThrough, wallThrough } from './line';
-import type { WorldSummary } from './shapes';
+import type { WorldSummary } from '../protocol';
 import { begun, edited, redone, settled, undone, type Trail } from './trail';
 import { fitted, type Point, type Size, type View } from './view';
 

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 
-import type { PlaceView } from './shapes';
-import { chainOf, elementOf, fieldWords, marksOf, plain } from './faults';
+import type { PlaceView } from '../protocol';
+import { chainOf, elementOf, fieldWords, marksOf, plain, told } from './faults';
 
 it('marks the faults that have a place with their number in the list', () => {
   const fault = (place: PlaceView | null) => ({ field: '', message: '', place, nearest: null });
@@ -41,4 +41,11 @@ it.each([
 
 it('shows messages without code marks', () => {
   expect(plain('`home` must be free')).toBe('Home must be free');
+});
+
+it('names the field of a refusal once', () => {
+  expect(told('image', 'must be a PNG file')).toBe('Image: must be a PNG file');
+  expect(told('yaml.resolution', 'must be above 0')).toBe('Yaml, resolution: must be above 0');
+  expect(told('home', '`home` must be free')).toBe('Home must be free');
+  expect(told(null, 'line 3: no key')).toBe('Line 3: no key');
 });

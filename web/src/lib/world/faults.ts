@@ -1,6 +1,6 @@
 /** What is wrong with a draft, and where: the field to mend and the mark on the plan. */
 
-import type { PlaceView, WorldProblem } from './shapes';
+import type { PlaceView, WorldProblem } from '../protocol';
 import type { Point } from './view';
 
 /** A mark on the plan: the number of its problem in the list, its place, and where it could be instead. */
@@ -57,4 +57,11 @@ export function fieldWords(field: string): string {
     .replace('.radius_m', ', radius')
     .replace('.', ', ');
   return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+/** What is wrong with its field before it, unless the words name the field themselves. */
+export function told(field: string | null, detail: string): string {
+  return !field || detail.includes(`\`${field}`)
+    ? plain(detail)
+    : `${fieldWords(field)}: ${detail.replace(/`/g, '')}`;
 }
