@@ -14,6 +14,7 @@ mod figure_5_8;
 mod figure_5_9;
 mod findings;
 mod learning_curves;
+mod office;
 mod required;
 mod robustness;
 mod sets;
