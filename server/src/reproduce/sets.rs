@@ -101,6 +101,19 @@ impl Sets<'_> {
         starts: &[StartView],
     ) -> Result<Sample, ReproductionError> {
         let plan = Plan { starts: starts.to_vec(), ..self.plan(target, arm)? };
+        self.with(target, arm, plan)
+    }
+
+    /// The sets of an arm whose plan is given, for a world or a network that no setting names.
+    ///
+    /// # Errors
+    /// When the plan's settings do not fit its world.
+    pub fn with(
+        &self,
+        target: &Target,
+        arm: &Arm,
+        plan: Plan,
+    ) -> Result<Sample, ReproductionError> {
         let seeds: Vec<u64> = target.seeds.clone().collect();
         let sets = self.each(&seeds, |&seed| Set::run(&Plan { seed, ..plan.clone() }))?;
         let seeds = [*target.seeds.start(), *target.seeds.end()];
