@@ -141,6 +141,10 @@ fn choice((value, meaning): &(&str, &str)) -> Choice {
     Choice { value: (*value).into(), meaning: (*meaning).into() }
 }
 
+fn stem(file: &str) -> &str {
+    file.trim_end_matches(".toml")
+}
+
 /// The experiments in the program, in the order of their names.
 pub(super) fn embedded(
     robots: &BTreeMap<String, Arc<Robot>>,
@@ -148,11 +152,12 @@ pub(super) fn embedded(
     mut presets: BTreeMap<String, Vec<Preset>>,
 ) -> Result<Vec<Experiment>, CatalogError> {
     let mut files: Vec<String> = Files::iter().map(|file| file.into_owned()).collect();
-    files.sort_unstable();
+    // By name without the ending, so that a variant of an experiment comes after it.
+    files.sort_unstable_by(|a, b| stem(a).cmp(stem(b)));
     let experiment = |file: String| {
         let broken =
             |message: String| CatalogError { file: format!("experiments/{file}"), message };
-        let name = file.trim_end_matches(".toml");
+        let name = stem(&file);
         let text = Files::get(&file).map(|file| String::from_utf8_lossy(&file.data).into_owned());
         let presets = presets.remove(name).unwrap_or_default();
         read(name, &text.unwrap_or_default(), robots, worlds, presets).map_err(broken)
