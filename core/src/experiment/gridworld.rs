@@ -41,10 +41,10 @@ crate::settings! {
         least: f64 = 0.1, "exploration.least" [0.001, 1000.0] "", Gap, "section 4.8", "ε or temperature it falls to";
         keep: f64 = 0.95, "exploration.keep" [0.0, 1.0] "", Gap, "Eq. (5.17), β", "Share of the distance to it that is kept from trial to trial";
         reflex: bool = false, "bias.reflex" "", Addition, "section 4.3", "Reflex: towards the goal if that is free, else clockwise, where experience is lacking";
-        reflex_strength: f64 = 4.0, "reflex.strength" [0.0, 20.0] "", Addition, "section 4.3", "Log-odds (softmax) or preference that the reflex adds in a state never met";
+        reflex_strength: f64 = 4.0, "reflex.strength" [0.0, 20.0] "", Addition, "section 4.3", "Log-odds that the reflex adds to its action in a state never met";
         reflex_half_life: f64 = 10.0, "reflex.half_life" [0.1, 1e6] "", Addition, "section 4.3", "Visits after which half of that is left";
         advice: bool = false, "bias.advice" "", Addition, "section 4.3", "Advice in words";
-        advice_strength: f64 = 2.0, "advice.strength" [0.0, 20.0] "", Addition, "section 4.3", "Log-odds (softmax) or preference that a rule adds at first";
+        advice_strength: f64 = 2.0, "advice.strength" [0.0, 20.0] "", Addition, "section 4.3", "Log-odds that a rule adds to its action at first";
         advice_half_life: f64 = 10.0, "advice.half_life" [0.1, 1e6] "", Addition, "section 4.3", "Trials of an action after which half of that is left";
         advice_refinement: f64 = 0.1, "advice.refinement" [0.0, 0.9] "", Addition, "section 4.3", "Share by which a rule's weight changes after a trial";
         advice_patience: u32 = 5, "advice.patience" [1.0, 100_000.0] "", Addition, "section 4.3", "Times a rule is followed, and not followed, before it is judged";

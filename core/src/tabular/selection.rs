@@ -2,6 +2,9 @@
 
 use super::Exponential;
 
+/// Greatest log-odds that greedy rules follow.
+const MOST_ODDS: f64 = 300.0;
+
 /// A rule of selection, with the parameter of the moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Selection {
@@ -58,8 +61,9 @@ impl Selection {
     /// Fills in running sums of each action's chance, in some unit; the last is the total, above 0.
     ///
     /// `weights` are factors of the chances; 0 excludes an action, and at least one must be above 0.
-    /// `pulls` are added to the exponent of the softmax rule: log-odds, whatever the temperature.
-    /// Greedy rules add them to the preference.
+    /// `pulls` are log-odds, whatever the temperature: they are added to the exponent of the softmax rule. Greedy
+    /// rules follow them where several actions are the best, and in what they try at random; so what has been
+    /// learned is never overruled for good.
     pub fn sums(&self, preferences: &[f64], weights: &[f64], pulls: &[f64], sums: &mut Vec<f64>) {
         sums.clear();
         match *self {
@@ -95,16 +99,22 @@ fn softmax(inverse: f64, preferences: &[f64], weights: &[f64], pulls: &[f64], su
 /// Several best actions share their chance: where nothing is known yet, the first would else be taken for
 /// ever.
 fn greedy(epsilon: f64, preferences: &[f64], weights: &[f64], pulls: &[f64], sums: &mut Vec<f64>) {
-    let preference = |action: usize| preferences[action] + pulls[action];
-    let allowed = || (0..preferences.len()).filter(|action| weights[*action] > 0.0);
-    let most = allowed().map(preference).fold(f64::NEG_INFINITY, f64::max);
-    let is_best = |action: usize| weights[action] > 0.0 && preference(action) >= most;
-    let best = allowed().filter(|action| is_best(*action)).fold(0.0, |count, _| count + 1.0);
-    let total: f64 = weights.iter().sum();
+    let allowed = |action: usize| weights[action] > 0.0;
+    let most = (0..preferences.len())
+        .filter(|action| allowed(*action))
+        .map(|action| preferences[action])
+        .fold(f64::NEG_INFINITY, f64::max);
+    let is_best = |action: usize| allowed(action) && preferences[action] >= most;
+    let odds =
+        |action: usize| weights[action] * libm::exp(pulls[action].clamp(-MOST_ODDS, MOST_ODDS));
+    let total = |of: &dyn Fn(usize) -> bool| -> f64 {
+        (0..preferences.len()).filter(|action| of(*action)).map(odds).sum()
+    };
+    let (all, best) = (total(&allowed), total(&is_best));
     let mut sum = 0.0;
-    for (action, weight) in weights.iter().enumerate() {
-        let share = if is_best(action) { (1.0 - epsilon) / best } else { 0.0 };
-        sum += epsilon * weight / total + share;
+    for action in 0..preferences.len() {
+        let exploiting = if is_best(action) { (1.0 - epsilon) * odds(action) / best } else { 0.0 };
+        sum += epsilon * odds(action) / all + exploiting;
         sums.push(sum);
     }
 }
@@ -168,6 +178,13 @@ mod tests {
             (softmax, [0.0; 3], [1.0; 3], [libm::log(2.0), 0.0, 0.0], [0.5, 0.25, 0.25]),
             (Selection::Greedy, [1.0, 3.0, 3.0], [1.0; 3], none, [0.0, 0.5, 0.5]),
             (Selection::Greedy, [1.0, 3.0, 3.0], [1.0, 0.0, 1.0], none, [0.0, 0.0, 1.0]),
+            (
+                Selection::Greedy,
+                [1.0, 3.0, 3.0],
+                [1.0; 3],
+                [9.0, libm::log(3.0), 0.0],
+                [0.0, 0.75, 0.25],
+            ),
             (
                 Selection::EpsilonGreedy { epsilon: 0.3 },
                 [1.0, 3.0, 2.0],

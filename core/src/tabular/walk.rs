@@ -254,7 +254,11 @@ impl Walk {
             }
         }
         if let Some((estimate, per_step)) = &self.setup.shaping.progress {
-            reward.progress = per_step * (estimate[state] - estimate[next]);
+            let ends = self.setup.world.mdp().is_absorbing(next);
+            let ahead = if ends { 0.0 } else { estimate[next] };
+            // NOTE: the step ahead is discounted, so that walking to and fro earns nothing and the best way
+            // stays the best; the thesis gives no formula.
+            reward.progress = per_step * (estimate[state] - self.setup.rule.discount * ahead);
         }
         reward
     }
