@@ -5,7 +5,7 @@ use std::sync::Arc;
 use sonarium_core::experiment::{
     BanditRun, BanditSettings, Contest, ContestStep, ContinualSettings, EpisodeEnd,
     GridworldSettings, HorizonRun, HorizonSettings, LabyrinthExtras, LabyrinthSettings, Learners,
-    Model, Phase,
+    Model, Phase, Score,
 };
 use sonarium_core::labyrinth::{Bias, episodes, matrix};
 use sonarium_core::settings::Value;
