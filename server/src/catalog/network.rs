@@ -101,7 +101,7 @@ impl Trained {
     ///
     /// # Errors
     /// The first thing that does not fit: the field names it, the message says what would be right.
-    pub(super) fn check(&self, plan: &Plan) -> Result<(), FieldError> {
+    pub fn check(&self, plan: &Plan) -> Result<(), FieldError> {
         self.check_sonars(plan)?;
         self.check_input(plan)?;
         let frame = choice(plan, "learner.action_frame");

@@ -212,7 +212,7 @@ fn compared(sample: &Sample, base: &Sample) -> Vec<ReproductionRow> {
     rows.extend(row(
         sample,
         ("total reinforcement lost", ""),
-        Estimate::mean(&differences(base, sample, total)),
+        Estimate::mean(&base.differences(sample, total)),
         Some(Bound::AtLeast(0.0)),
         "R(n) of the last trial of the default preset less that without it, by seeds; Student's t \
          interval",
@@ -220,7 +220,7 @@ fn compared(sample: &Sample, base: &Sample) -> Vec<ReproductionRow> {
     rows.extend(row(
         sample,
         ("trials lost", ""),
-        Estimate::mean(&differences(sample, base, needed)),
+        Estimate::mean(&sample.differences(base, needed)),
         None,
         "trials needed without it less those of the default preset, by seeds; Student's t interval",
     ));
@@ -257,10 +257,4 @@ fn trials_needed(set: &Set, limit: f64) -> f64 {
     let learned = |trial: &&Trial| trial.reached_goal && f64::from(trial.steps) <= limit;
     let first = set.trials.iter().find(learned).map(|trial| trial.trial);
     f64::from(first.unwrap_or(set.trials.len() as u32 + 1))
-}
-
-/// Something of one sample less the same of another, set by set.
-fn differences(of: &Sample, less: &Sample, value: impl Fn(&Set) -> Option<f64>) -> Vec<f64> {
-    let pairs = of.sets.iter().zip(&less.sets);
-    pairs.filter_map(|(a, b)| Some(value(a)? - value(b)?)).collect()
 }

@@ -7,6 +7,7 @@
 //! To add one, write a file with a `static` [`Target`] and name it in [`TARGETS`].
 
 mod ablations;
+mod carry_over;
 mod csv;
 mod curve;
 mod figure_5_10;
@@ -25,6 +26,7 @@ mod table_5_1;
 mod tests;
 
 pub use ablations::ABLATIONS;
+pub use carry_over::CARRY_OVER;
 pub use csv::{curves_csv, rows_csv};
 pub use curve::curve;
 pub use figure_5_8::FIGURE_5_8;
@@ -57,6 +59,7 @@ pub static TARGETS: &[&Target] = &[
     &FIGURE_5_13,
     &ABLATIONS,
     &ROBUSTNESS,
+    &CARRY_OVER,
 ];
 
 /// How verdicts on published figures are found.
@@ -91,7 +94,7 @@ pub struct Target {
     pub experiment: &'static str,
     /// What is run, each over all seeds.
     pub arms: &'static [Arm],
-    /// Trials of a set; a set begins with an empty network.
+    /// Trials of a set; a set begins with an empty network unless the target carries one over.
     pub trials: u32,
     /// Seeds, one a set.
     pub seeds: RangeInclusive<u64>,

@@ -41,7 +41,7 @@ pub struct Sample {
     pub sets: Vec<Set>,
 }
 
-/// A set of trials, begun with empty networks.
+/// A set of trials, begun with empty networks or with those of its plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Set {
     /// Its seed.
@@ -165,7 +165,7 @@ impl Kept {
 
 impl Set {
     /// Runs a set, keeping the way of its first and last trial.
-    fn run(plan: &Plan) -> Result<Self, FieldError> {
+    pub(super) fn run(plan: &Plan) -> Result<Self, FieldError> {
         let mut run = Run::new(plan)?;
         let mut set = Self {
             seed: plan.seed,
@@ -211,6 +211,14 @@ impl Sample {
     #[must_use]
     pub fn values(&self, of: impl Fn(&Set) -> Option<f64>) -> Vec<f64> {
         self.sets.iter().filter_map(of).collect()
+    }
+
+    /// A number of a set less that of the other sample's set with the same seed, where both have it;
+    /// both samples have the same seeds.
+    #[must_use]
+    pub fn differences(&self, less: &Self, of: impl Fn(&Set) -> Option<f64>) -> Vec<f64> {
+        let pairs = self.sets.iter().zip(&less.sets);
+        pairs.filter_map(|(set, other)| Some(of(set)? - of(other)?)).collect()
     }
 
     /// Mean of one number a set.
