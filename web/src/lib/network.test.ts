@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import {
   beganWith,
   bodyOf,
+  networkRefusal,
   readNetwork,
   trainedIn,
   trainedWords,
@@ -86,6 +87,14 @@ describe('the request', () => {
     expect(unchosen({ kind: 'file', file: null })).toBe('Choose a network file.');
     expect(unchosen({ kind: 'file', file })).toBe('');
   });
+});
+
+it.each([
+  ['network.sonars', 'must be 10 sonars', 'Not acceptable: network.sonars must be 10 sonars'],
+  ['network', 'there is no session `ab`', 'Not acceptable. there is no session `ab`'],
+])('says what is wrong with %s', (field, detail, said) => {
+  const problem = { type: 'about:blank', title: 'Not acceptable', status: 422, detail, field };
+  expect(networkRefusal(problem)).toBe(said);
 });
 
 it('types a session’s settings over those of its preset', () => {

@@ -1,7 +1,14 @@
 /** Trained networks that a new session begins with. */
 
 import { count, exact } from './format';
-import type { ExperimentInfo, NetworkFile, NewSession, PresetInfo, Session } from './protocol';
+import type {
+  ExperimentInfo,
+  NetworkFile,
+  NewSession,
+  PresetInfo,
+  Problem,
+  Session,
+} from './protocol';
 import { presetValue } from './settings';
 
 /** A network file that was read. */
@@ -51,6 +58,11 @@ export function trainedIn(experiment: string, sessions: Session[]): Session[] {
 /** A session with a network, in a line. */
 export function trainedWords({ id, world, seed, trials_done, created_at }: Session): string {
   return `${id}: ${world}, seed ${seed}, ${count(trials_done, 'trial')}, ${exact(created_at)}`;
+}
+
+/** What the server says against a network; its words go on from the place in the file. */
+export function networkRefusal({ title, detail, field }: Problem): string {
+  return field?.startsWith('network.') ? `${title}: ${field} ${detail}` : `${title}. ${detail}`;
 }
 
 /** Why a session cannot be begun with yet; empty when it can. */
