@@ -1,5 +1,6 @@
 /** The HTTP interface as the page uses it. */
 
+import { bodyOf, type Beginning } from './network';
 import type {
   Ack,
   AlteredStartView,
@@ -38,7 +39,8 @@ export function problemOf(error: unknown): Problem {
 
 export const experiments = () => call<ExperimentInfo[]>('GET', 'experiments');
 export const sessions = () => call<Session[]>('GET', 'sessions');
-export const createSession = (asked: NewSession) => call<Session>('POST', 'sessions', asked);
+export const createSession = (asked: NewSession, beginning: Beginning) =>
+  ask<Session>('sessions', json('POST', bodyOf(asked, beginning)));
 export const session = (id: string) => call<Session>('GET', path(id));
 export const deleteSession = (id: string) => call<null>('DELETE', path(id));
 export const neuron = (id: string, which: number) =>
@@ -141,7 +143,11 @@ export async function ask<T>(where: string, init: RequestInit): Promise<T> {
 /** A request with a JSON body. */
 export function request(method: string, body: unknown): RequestInit {
   if (body === undefined) return { method };
-  return { method, body: JSON.stringify(body), headers: { 'content-type': 'application/json' } };
+  return json(method, JSON.stringify(body));
+}
+
+function json(method: string, body: string): RequestInit {
+  return { method, body, headers: { 'content-type': 'application/json' } };
 }
 
 async function refusalOf(response: Response): Promise<Problem> {

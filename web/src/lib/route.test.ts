@@ -2,6 +2,7 @@ import { expect, it } from 'vitest';
 
 import {
   copyPath,
+  goOnPath,
   reproductionPath,
   routeOf,
   sessionInPath,
@@ -11,8 +12,9 @@ import {
 } from './route';
 
 it.each<[string, Route]>([
-  ['/', { page: 'home', world: '' }],
-  [sessionInPath('a&b'), { page: 'home', world: 'a&b' }],
+  ['/', { page: 'home', world: '', network: '' }],
+  [sessionInPath('a&b'), { page: 'home', world: 'a&b', network: '' }],
+  [goOnPath('a&b'), { page: 'home', world: '', network: 'a&b' }],
   [sessionPath('a/b'), { page: 'session', id: 'a/b' }],
   ['/sessions/x/', { page: 'session', id: 'x' }],
   ['/reproduce', { page: 'reproductions' }],

@@ -2,7 +2,7 @@
 
 /** A page. */
 export type Route =
-  | { page: 'home'; world: string }
+  | { page: 'home'; world: string; network: string }
   | { page: 'session'; id: string }
   | { page: 'reproductions' }
   | { page: 'reproduction'; target: string }
@@ -15,7 +15,9 @@ export type Route =
 export function routeOf(address: string): Route {
   const [path = '', search = ''] = address.split('?');
   const asked = new URLSearchParams(search);
-  if (path === '/') return { page: 'home', world: asked.get('world') ?? '' };
+  if (path === '/') {
+    return { page: 'home', world: asked.get('world') ?? '', network: asked.get('network') ?? '' };
+  }
   const id = within(path, 'sessions');
   if (id !== null) return { page: 'session', id };
   if (/^\/reproduce\/?$/.test(path)) return { page: 'reproductions' };
@@ -50,3 +52,6 @@ export const copyPath = (name: string) => `/worlds/new?from=${encodeURIComponent
 
 /** Address of the form for a new session in a world. */
 export const sessionInPath = (name: string) => `/?world=${encodeURIComponent(name)}`;
+
+/** Address of the form for a new session that begins with the network of another. */
+export const goOnPath = (id: string) => `/?network=${encodeURIComponent(id)}`;
