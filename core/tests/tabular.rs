@@ -75,7 +75,9 @@ fn setup(world: AnyWorld, kind: LearnerKind, discount: f64, planning: u32) -> Wa
 fn learned(setup: WalkSetup, trials: u32, seed: u64) -> f64 {
     let (world, discount) = (Arc::clone(&setup.world), setup.rule.discount);
     let mut walk = Walk::new(setup, seed, 0).expect("a good setup");
-    (0..trials).for_each(|_| drop(walk.trial()));
+    for _ in 0..trials {
+        walk.trial();
+    }
     let mdp = world.mdp();
     let policy =
         walk.learner().policy(mdp.states(), |state, action| mdp.is_possible(state, action));

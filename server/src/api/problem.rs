@@ -15,22 +15,22 @@ use crate::session::{ControlError, LabError};
 use crate::store::StoreError;
 use crate::wire::Problem;
 
-/// What every handler fails with.
+/// What every handler fails with; boxed, so that what succeeds is not moved about at its size.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Failure(pub Problem);
+pub struct Failure(pub Box<Problem>);
 
 impl Failure {
     /// A problem of a kind, e.g. `not-found`.
     #[must_use]
     pub fn new(status: StatusCode, kind: &str, title: &str, detail: impl Into<String>) -> Self {
-        Self(Problem {
+        Self(Box::new(Problem {
             kind: format!("/problems/{kind}"),
             title: title.to_owned(),
             status: status.as_u16(),
             detail: detail.into(),
             field: None,
             place: None,
-        })
+        }))
     }
 
     /// The same, naming the field at fault.

@@ -63,7 +63,7 @@ async fn from_form(request: Request) -> Result<Map, Failure> {
             "image" => picture = Some(part.bytes().await.map_err(unreadable)?.to_vec()),
             "yaml" => yaml = Some(part.text().await.map_err(unreadable)?),
             "speck_m2" => {
-                options.speck_m2 = number(&name, &part.text().await.map_err(unreadable)?)?
+                options.speck_m2 = number(&name, &part.text().await.map_err(unreadable)?)?;
             }
             "crop" => options.crop_m = Some(rectangle(&part.text().await.map_err(unreadable)?)?),
             "name" => options.name = Some(part.text().await.map_err(unreadable)?),

@@ -195,7 +195,7 @@ const YAML: &str = "image: hall.pgm\nresolution: 0.1\norigin: [0, 0, 0]\nnegate:
 
 /// A hall of 3 x 2 m.
 fn hall() -> Vec<u8> {
-    let wall = |k: usize| k % 32 == 0 || k % 32 == 31 || k / 32 == 0 || k / 32 == 21;
+    let wall = |k: usize| k.is_multiple_of(32) || k % 32 == 31 || k / 32 == 0 || k / 32 == 21;
     let pixels = (0..32 * 22).map(|k| if wall(k) { 0 } else { 254 });
     b"P5 32 22 255\n".iter().copied().chain(pixels).collect()
 }
