@@ -18,7 +18,10 @@ pub(super) fn document(target: &Target, result: &Reproduction) -> String {
         target.seeds.end(),
         target.name
     );
-    text += "| | published | ours | 95 % interval | n | verdict |\n|---|--:|--:|--:|--:|---|\n";
+    let published = result.rows.iter().any(|row| row.published.is_some());
+    let held_against = if published { "published" } else { "required" };
+    text += &format!("| | {held_against} | ours | 95 % interval | n | verdict |\n");
+    text += "|---|--:|--:|--:|--:|---|\n";
     for row in &result.rows {
         text += &format!("| {} |\n", cells(row).map(|cell| escaped(&cell)).join(" | "));
     }
