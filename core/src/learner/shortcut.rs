@@ -1,6 +1,6 @@
 //! The shortcut proposal (addition A1): where the next trial should explore.
 //!
-//! The thesis sets the mean `μ` by the TD error and the eligibility, Eq. (5.21)-(5.24); in twenty
+//! NOTE (A1): the thesis sets `μ` by the TD error and the eligibility, Eq. (5.21)-(5.24); in twenty
 //! trials that finds nothing. Here each neuron on the record path looks along that path at the later
 //! points that were in view from where it acted, and aims at the one with the greatest return the
 //! critic predicts: the reinforcement of driving straight there, and the utility of the neuron in
