@@ -13,6 +13,7 @@ crate::settings! {
     pub struct BanditSettings {
         arms: u32 = 10, "arms" [2.0, 1_000.0] "", Gap, "section 3.5, k", "Levers";
         payoff: Payoff = Payoff::Bernoulli, "payoff" "", Gap, "section 3.5, p_i", "How a lever pays";
+        episodes: u32 = 10, "episodes" [1.0, 100_000.0] "", Gap, "section 3.5", "Episodes, each begun with nothing learned; every competitor does each";
         pulls: u32 = 1_000, "pulls" [1.0, 1_000_000.0] "", Gap, "section 3.5, h", "Pulls an episode";
         greedy: bool = true, "strategy.greedy" "", Literal, "section 3.5", "Greedy competes";
         epsilon_greedy: bool = true, "strategy.epsilon_greedy" "", Literal, "section 4.8", "ε-greedy competes";

@@ -14,6 +14,7 @@ crate::settings! {
         goal: u32 = 15, "goal" [0.0, 15.0] "", Literal, "section 4.10", "Goal that is trained for";
         new_goal: u32 = 2, "new_goal" [0.0, 15.0] "", Literal, "section 4.10", "Goal that it moves to";
         all_goals: bool = false, "all_goals" "", Literal, "section 4.10", "Move it to every state but the start and the first goal, one after the other";
+        episodes: u32 = 10, "episodes" [1.0, 100_000.0] "", Literal, "section 4.9", "Episodes, each begun with nothing learned; every competitor does each";
         trials: u32 = 100, "trials" [1.0, 10_000.0] "", Literal, "section 4.9", "Trials of each task";
         cap: u32 = 300, "trial.step_cap" [1.0, 1_000_000.0] "", Simulation, "reading", "Actions after which a trial is broken off";
         rate: f64 = 0.9, "learner.rate" [0.0, 1.0] "", Literal, "table 4.2, β", "Learning rate";

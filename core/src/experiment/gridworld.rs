@@ -22,6 +22,7 @@ crate::choice! {
 crate::settings! {
     /// Settings of the experiment `gridworld`.
     pub struct GridworldSettings {
+        episodes: u32 = 10, "episodes" [1.0, 100_000.0] "", Gap, "chapter 3", "Episodes, each begun with nothing learned; every competitor does each";
         trials: u32 = 50, "trials" [1.0, 10_000.0] "", Gap, "chapter 3", "Trials an episode";
         cap: u32 = 10_000, "trial.step_cap" [1.0, 1_000_000.0] "", Simulation, "reading", "Actions after which a trial is broken off";
         learners: Learners = Learners::One, "learners" "", Addition, "chapter 3", "Which learners compete";

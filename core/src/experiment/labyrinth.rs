@@ -18,6 +18,7 @@ crate::settings! {
     pub struct LabyrinthSettings {
         start: u32 = 7, "start" [0.0, 15.0] "", Literal, "section 4.9", "State every trial starts in";
         goal: u32 = 15, "goal" [0.0, 15.0] "", Literal, "section 4.9", "State that ends a trial";
+        episodes: u32 = 10, "episodes" [1.0, 100_000.0] "", Literal, "table 4.3", "Episodes, each begun with nothing learned; every competitor does each";
         trials: u32 = 100, "trials" [1.0, 10_000.0] "", Literal, "section 4.9", "Trials an episode";
         cap: u32 = 10_000, "trial.step_cap" [1.0, 1_000_000.0] "", Simulation, "reading", "Actions after which a trial is broken off";
         rate: f64 = 0.9, "learner.rate" [0.0, 1.0] "", Literal, "table 4.2, β", "Learning rate";

@@ -18,15 +18,17 @@ pub struct ExperimentInfo {
     pub summary: String,
     /// Where the thesis describes it.
     pub source: String,
-    /// The robot that runs it.
-    pub robot: RobotInfo,
-    /// Trials of a session unless told otherwise.
+    /// Whether it is a tabular experiment.
+    pub family: super::Family,
+    /// The robot that runs it; none in a tabular experiment.
+    pub robot: Option<RobotInfo>,
+    /// Trials of a session, or of each episode of a tabular experiment, unless told otherwise.
     pub default_trials: u32,
     /// Most trials a session may have.
     pub max_trials: u32,
     /// Sets of settings with a name; the first is the default.
     pub presets: Vec<PresetInfo>,
-    /// Worlds it can run in; the first is the default.
+    /// Worlds it can run in; the first is the default. None where there is but one.
     pub worlds: Vec<WorldInfo>,
     /// Altered starts in the default world, which trained networks are tried from.
     pub starts: Vec<super::StartView>,
@@ -80,7 +82,7 @@ pub struct SettingInfo {
     pub key: String,
     /// What it means.
     pub meaning: String,
-    /// `number`, `integer`, `switch` or `choice`.
+    /// `number`, `integer`, `switch`, `choice` or `text`.
     pub kind: String,
     /// Unit; empty for a choice, a switch or a pure number.
     pub unit: String,

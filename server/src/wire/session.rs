@@ -33,6 +33,17 @@ pub enum State {
     Interrupted,
 }
 
+/// Which kind of experiment a session runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, ToSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Family {
+    /// A robot learns a path.
+    #[default]
+    Path,
+    /// Learners with tables compete.
+    Table,
+}
+
 /// Pace of a session.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
 #[serde(untagged)]
@@ -66,7 +77,7 @@ pub struct NewSession {
     #[ts(optional, type = "Record<string, number | string | boolean>")]
     #[schema(value_type = Object)]
     pub settings: BTreeMap<String, Value>,
-    /// Number of trials.
+    /// Number of trials; in a tabular experiment those of each episode (the pulls of a bandit).
     #[serde(default)]
     #[ts(optional)]
     pub trials: Option<u32>,
@@ -115,10 +126,16 @@ pub struct Session {
     pub settings: BTreeMap<String, Value>,
     /// Keys whose value is not the default's.
     pub changed: Vec<String>,
-    /// Trials asked for.
+    /// Whether it is a tabular experiment.
+    pub family: Family,
+    /// Trials asked for: of the session, or of each episode of a tabular experiment.
     pub trials: u32,
-    /// Trials done.
+    /// Trials done; in a tabular experiment, of all episodes that ended.
     pub trials_done: u32,
+    /// What the session goes through: its trials, or in a tabular experiment episodes of one competitor each.
+    pub rounds: u32,
+    /// Rounds done.
+    pub rounds_done: u32,
     /// Trials that reached the goal.
     pub reached: u32,
     /// Best total reinforcement of a trial that reached the goal.
@@ -162,7 +179,7 @@ pub enum StepUnit {
     /// One control step.
     #[default]
     Tick,
-    /// To the end of the trial.
+    /// To the end of the trial, or of the episode of a tabular experiment.
     Trial,
 }
 

@@ -3,7 +3,9 @@
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-use super::{NeuronView, Session, TickView, Trial, Yardstick};
+use super::{
+    EpisodeView, NeuronView, ScoresView, Session, StepView, TableView, TaskView, TickView, Trial, Yardstick,
+};
 
 /// Version of the stream, in `hello`.
 pub const STREAM_VERSION: u32 = 1;
@@ -11,9 +13,13 @@ pub const STREAM_VERSION: u32 = 1;
 /// Trials in `hello`; all of them are at `sessions/{id}/trials`.
 pub const HELLO_TRIALS: usize = 1000;
 
-/// A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`,
-/// `yardstick`);
-/// `tick`, `depths` and `neurons` are samples of the present and repeat the number of the last event.
+/// Episodes in `hello`; all of them are at `sessions/{id}/episodes`.
+pub const HELLO_EPISODES: usize = 400;
+
+/// A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `episode`,
+/// `scores`, `log`, `yardstick`); `tick`, `depths`, `neurons`, `step` and `table` are samples of the present
+/// and repeat the number of the last event. Tabular experiments send `step`, `table`, `episode` and `scores`
+/// in the place of `tick`, `neurons`, `trial` and `curve`.
 /// Arena pictures are binary frames: whole PNG files.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS)]
 #[serde(tag = "type", rename_all = "lowercase")]
@@ -66,6 +72,36 @@ pub enum ServerMessage {
         /// One or more, in order.
         points: Vec<CurvePoint>,
     },
+    /// The present step of a tabular experiment.
+    Step {
+        /// Number of the last event.
+        seq: u64,
+        /// The step.
+        step: StepView,
+    },
+    /// The tables of a tabular experiment.
+    Table {
+        /// Number of the last event.
+        seq: u64,
+        /// Tick they belong to.
+        tick: u64,
+        /// The tables.
+        table: TableView,
+    },
+    /// Episodes that ended.
+    Episode {
+        /// Event number.
+        seq: u64,
+        /// One or more, in order.
+        episodes: Vec<EpisodeView>,
+    },
+    /// How the competitors stand after the last of these episodes.
+    Scores {
+        /// Event number.
+        seq: u64,
+        /// How they stand.
+        scores: ScoresView,
+    },
     /// New lines of the event log.
     Log {
         /// Event number.
@@ -105,10 +141,18 @@ pub struct Hello {
     pub seq: u64,
     /// The session.
     pub session: Session,
-    /// The world it runs in.
-    pub world: WorldView,
-    /// The best path a planner finds there.
-    pub yardstick: Yardstick,
+    /// The world it runs in; none for a tabular experiment.
+    pub world: Option<WorldView>,
+    /// The best path a planner finds there; none for a tabular experiment.
+    pub yardstick: Option<Yardstick>,
+    /// The world of a tabular experiment.
+    pub task: Option<TaskView>,
+    /// The tables of a tabular experiment; none before it has started.
+    pub table: Option<TableView>,
+    /// How its competitors stand.
+    pub scores: Option<ScoresView>,
+    /// Its newest episodes, at most [`HELLO_EPISODES`].
+    pub episodes: Vec<EpisodeView>,
     /// The newest trials, at most [`HELLO_TRIALS`].
     pub trials: Vec<Trial>,
     /// All neurons, without their centres.
@@ -206,6 +250,14 @@ pub enum ClientMessage {
         #[serde(default)]
         #[ts(optional)]
         neurons: Option<f64>,
+        /// Most `step` messages a second, 0 to 60.
+        #[serde(default)]
+        #[ts(optional)]
+        step: Option<f64>,
+        /// Most `table` messages a second, 0 to 30.
+        #[serde(default)]
+        #[ts(optional)]
+        table: Option<f64>,
         /// Arena pictures.
         #[serde(default)]
         #[ts(optional)]

@@ -11,15 +11,17 @@ title: string,
 summary: string,
 /** Where the thesis describes it. */
 source: string,
-/** The robot that runs it. */
-robot: RobotInfo,
-/** Trials of a session unless told otherwise. */
+/** Whether it is a tabular experiment. */
+family: Family,
+/** The robot that runs it; none in a tabular experiment. */
+robot: RobotInfo | null,
+/** Trials of a session, or of each episode of a tabular experiment, unless told otherwise. */
 default_trials: number,
 /** Most trials a session may have. */
 max_trials: number,
 /** Sets of settings with a name; the first is the default. */
 presets: Array<PresetInfo>,
-/** Worlds it can run in; the first is the default. */
+/** Worlds it can run in; the first is the default. None where there is but one. */
 worlds: Array<WorldInfo>,
 /** Altered starts in the default world, which trained networks are tried from. */
 starts: Array<StartView>,
@@ -63,7 +65,7 @@ export type SettingInfo = {
 key: string,
 /** What it means. */
 meaning: string,
-/** `number`, `integer`, `switch` or `choice`. */
+/** `number`, `integer`, `switch`, `choice` or `text`. */
 kind: string,
 /** Unit; empty for a choice, a switch or a pure number. */
 unit: string,
@@ -104,7 +106,7 @@ experiment: string,
 seed?: number,
 /** Settings that differ from the preset's; `preset` and `world` are settings too. */
 settings?: Record<string, number | string | boolean>,
-/** Number of trials. */
+/** Number of trials; in a tabular experiment those of each episode (the pulls of a bandit). */
 trials?: number,
 /** Pace; 30 ticks a second when missing. */
 speed?: Speed,
@@ -132,10 +134,16 @@ world: string,
 settings: Record<string, number | string | boolean>,
 /** Keys whose value is not the default's. */
 changed: Array<string>,
-/** Trials asked for. */
+/** Whether it is a tabular experiment. */
+family: Family,
+/** Trials asked for: of the session, or of each episode of a tabular experiment. */
 trials: number,
-/** Trials done. */
+/** Trials done; in a tabular experiment, of all episodes that ended. */
 trials_done: number,
+/** What the session goes through: its trials, or in a tabular experiment episodes of one competitor each. */
+rounds: number,
+/** Rounds done. */
+rounds_done: number,
 /** Trials that reached the goal. */
 reached: number,
 /** Best total reinforcement of a trial that reached the goal. */
@@ -622,9 +630,10 @@ y_m: number,
 /** Metres. */
 radius_m: number, };
 
-/** A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `log`,
- * `yardstick`);
- * `tick`, `depths` and `neurons` are samples of the present and repeat the number of the last event.
+/** A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `episode`,
+ * `scores`, `log`, `yardstick`); `tick`, `depths`, `neurons`, `step` and `table` are samples of the present
+ * and repeat the number of the last event. Tabular experiments send `step`, `table`, `episode` and `scores`
+ * in the place of `tick`, `neurons`, `trial` and `curve`.
  * Arena pictures are binary frames: whole PNG files. */
 export type ServerMessage = { "type": "hello" } & Hello | { "type": "state",
 /** Event number. */
@@ -654,7 +663,25 @@ trials: Array<Trial>, } | { "type": "curve",
 /** Event number. */
 seq: number,
 /** One or more, in order. */
-points: Array<CurvePoint>, } | { "type": "log",
+points: Array<CurvePoint>, } | { "type": "step",
+/** Number of the last event. */
+seq: number,
+/** The step. */
+step: StepView, } | { "type": "table",
+/** Number of the last event. */
+seq: number,
+/** Tick they belong to. */
+tick: number,
+/** The tables. */
+table: TableView, } | { "type": "episode",
+/** Event number. */
+seq: number,
+/** One or more, in order. */
+episodes: Array<EpisodeView>, } | { "type": "scores",
+/** Event number. */
+seq: number,
+/** How they stand. */
+scores: ScoresView, } | { "type": "log",
 /** Event number. */
 seq: number,
 /** One or more, in order. */
@@ -680,10 +707,18 @@ version: number,
 seq: number,
 /** The session. */
 session: Session,
-/** The world it runs in. */
-world: WorldView,
-/** The best path a planner finds there. */
-yardstick: Yardstick,
+/** The world it runs in; none for a tabular experiment. */
+world: WorldView | null,
+/** The best path a planner finds there; none for a tabular experiment. */
+yardstick: Yardstick | null,
+/** The world of a tabular experiment. */
+task: TaskView | null,
+/** The tables of a tabular experiment; none before it has started. */
+table: TableView | null,
+/** How its competitors stand. */
+scores: ScoresView | null,
+/** Its newest episodes, at most [`HELLO_EPISODES`]. */
+episodes: Array<EpisodeView>,
 /** The newest trials, at most [`HELLO_TRIALS`]. */
 trials: Array<Trial>,
 /** All neurons, without their centres. */
@@ -761,6 +796,10 @@ tick?: number,
 depths?: number,
 /** Most `neurons` messages a second, 0 to 30. */
 neurons?: number,
+/** Most `step` messages a second, 0 to 60. */
+step?: number,
+/** Most `table` messages a second, 0 to 30. */
+table?: number,
 /** Arena pictures. */
 arena?: ArenaRequest, };
 
@@ -777,6 +816,502 @@ theme: ThemeName, };
 
 /** Colour theme of a picture. */
 export type ThemeName = "light" | "dark";
+
+/** One step of a tabular experiment. */
+export type StepView = { "kind": "walk" } & WalkView | { "kind": "pull" } & PullView | { "kind": "point" } & PointView;
+
+/** A learner's step: chosen, done, learned from. */
+export type WalkView = {
+/** Number in the session, from 1. */
+tick: number,
+/** Round of the session, from 1: one episode of one competitor. */
+round: number,
+/** Episode, from 1. */
+episode: number,
+/** Competitor whose turn it is. */
+entrant: string,
+/** It trains on the first task, before the one it is scored in (`continual`). */
+training: boolean,
+/** Trial of the episode, from 1. */
+trial: number,
+/** Step of the trial, from 1. */
+step: number,
+/** x. */
+state: number,
+/** Q(x,·), or an actor's preferences, before the step. */
+values: Array<number>,
+/** What advice and reflex added to each action, log-odds. */
+pulls: Array<number>,
+/** Share of the reflex in that. */
+reflex_pull: number,
+/** Chance of each action, Eq. (4.11). */
+chances: Array<number>,
+/** Temperature τ, or ε. */
+exploration: number,
+/** u. */
+action: number,
+/** y. */
+next: number,
+/** The action changed nothing. */
+bumped: boolean,
+/** r and its parts. */
+reward: RewardView,
+/** What was learned. */
+update: UpdateView,
+/** The trial that ended with this step. */
+trial_end: TableTrialView | null, };
+
+/** A reward and its parts. */
+export type RewardView = {
+/** r. */
+total: number,
+/** The task's own. */
+task: number,
+/** For a subgoal. */
+subgoal: number,
+/** For running into a wall. */
+bump: number,
+/** Of the progress estimator. */
+progress: number, };
+
+/** What one experience changed. */
+export type UpdateView = {
+/** Value looked ahead to: max Q(y,·), or V(y) for a critic; 0 at an end without transport. */
+ahead: number,
+/** γ. */
+discount: number,
+/** Learning rate; 1 where a whole backup takes its place. */
+rate: number,
+/** r + γ · ahead − before. */
+delta: number,
+/** Q(x,u) before, or V(x) for a critic. */
+before: number,
+/** The same after. */
+after: number,
+/** Further backups made by planning. */
+planned: number, };
+
+/** One trial of an episode. */
+export type TableTrialView = {
+/** Actions taken. */
+steps: number,
+/** An absorbing state was reached; otherwise the trial was broken off at the cap. */
+reached_end: boolean,
+/** Sum of the task's own rewards. */
+total_reward: number,
+/** Actions that changed nothing. */
+bumps: number, };
+
+/** A pull of a lever. */
+export type PullView = {
+/** Number in the session, from 1. */
+tick: number,
+/** Round of the session, from 1: one episode of one strategy. */
+round: number,
+/** Episode, from 1: another row of levers. */
+episode: number,
+/** Strategy whose turn it is. */
+entrant: string,
+/** Pull of the episode, from 1. */
+pull: number,
+/** The lever, from 0. */
+lever: number,
+/** What was compared of each lever: a mean, or an upper bound; none for one that must be tried first. */
+scores: Array<number | null>,
+/** Chance of each lever. */
+chances: Array<number>,
+/** What the lever paid. */
+paid: number,
+/** What it pays in the mean, which the agent does not know. */
+mean: number,
+/** Regret of this pull, section 3.4. */
+regret: number,
+/** Regret of the episode so far. */
+total_regret: number, };
+
+/** A point of a plot of figure 3.3. */
+export type PointView = {
+/** Number in the session, from 1. */
+tick: number,
+/** Always 1. */
+round: number,
+/** `finite-horizon` (3.1), `discounted` (3.3) or `average` (3.4). */
+model: string,
+/** h or γ; 0 for the average reward, which has none. */
+parameter: number,
+/** J of each policy. */
+values: Array<number>,
+/** The best policy, from 0; the first of several. */
+best: number,
+/** Where the best policy changed since the last point. */
+crossing: CrossingView | null, };
+
+/** A place where the best policy changes. */
+export type CrossingView = {
+/** h or γ. */
+at: number,
+/** The best policy before, from 0. */
+from: number,
+/** The best policy after. */
+to: number, };
+
+/** One episode of one competitor. */
+export type EpisodeView = {
+/** Round of the session, from 1. */
+round: number,
+/** Episode, from 1. */
+episode: number,
+/** The competitor. */
+entrant: string,
+/** It trained on the first task, before the one it is scored in (`continual`). */
+training: boolean,
+/** Steps taken. */
+steps: number,
+/** First tick. */
+first_tick: number,
+/** Last tick. */
+last_tick: number,
+/** What came of it. */
+outcome: OutcomeOfEpisode,
+/** What an operator did to it, in order. */
+interventions?: Array<InterventionView>, };
+
+/** What came of an episode. */
+export type OutcomeOfEpisode = { "kind": "walk",
+/** J, Eq. (4.12): actions a trial, on average. */
+index: number,
+/** Actions of each trial. */
+trials: Array<number>,
+/** Trials broken off at the cap. */
+capped: number, } | { "kind": "pull",
+/** Regret. */
+regret: number,
+/** What was paid. */
+paid: number,
+/** Share of pulls of a best lever, 0 to 1. */
+best_share: number,
+/** Regret so far at each hundredth of the pulls. */
+course: Array<number>, } | { "kind": "plot",
+/** All points. */
+points: Array<PointView>, };
+
+/** What an operator did to a learner during an episode. It holds until the episode ends. */
+export type InterventionView = {
+/** Last tick done before it. */
+tick: number,
+/** Trial it fell into, from 1. */
+trial: number,
+/** `advice`, `value` or `table`. */
+kind: string,
+/** The advice as it was given, or what was changed. */
+text: string, };
+
+/** How the competitors stand. */
+export type ScoresView = {
+/** Episodes that every competitor has done. */
+episodes_done: number,
+/** `actions a trial` (J, Eq. 4.12) or `regret` (section 3.4); less is better. */
+measure: string,
+/** What the curves run over: `trial` or `pull`. */
+over: string,
+/** The competitors, in their order. */
+scores: Array<ScoreView>,
+/** Their learning curves, in the same order. */
+curves: Array<CompetitorCurve>, };
+
+/** How one competitor stands. */
+export type ScoreView = {
+/** Its name. */
+name: string,
+/** The one it is compared with; none if with none. */
+reference: string | null,
+/** Episodes it has done. */
+n: number,
+/** The measure with its 95 % interval; none of fewer than two episodes. */
+index: IntervalView | null,
+/** Gain r over the reference, Eq. (4.13), percent; none before both have done an episode. */
+gain_pct: number | null,
+/** Mean of that gain over experiments of ten episodes each, with its 95 % interval. */
+gain: IntervalView | null,
+/** Mean of the last tenth of the trials: what the final policy needs. For strategies, the share of pulls
+ * of a best lever, percent. */
+last: number | null,
+/** Trials broken off at the cap. */
+capped: number,
+/** Pairs of state and action left to try; none where there are no states. */
+search_space: number | null, };
+
+/** An estimate with its 95 % interval. */
+export type IntervalView = {
+/** The estimate. */
+value: number,
+/** Lower end. */
+low: number,
+/** Upper end. */
+high: number, };
+
+/** A learning curve with its 95 % band. */
+export type CompetitorCurve = {
+/** The competitor. */
+name: string,
+/** Episodes behind it. */
+n: number,
+/** Trial or pull of each point. */
+at: Array<number>,
+/** Mean of each point. */
+mean: Array<number>,
+/** Lower ends; empty of fewer than two episodes. */
+low: Array<number>,
+/** Upper ends. */
+high: Array<number>, };
+
+/** The present of a tabular session: the tables of the competitor whose turn it is. */
+export type TableView = { "kind": "walk" } & LearnerView | { "kind": "pull" } & BanditView | { "kind": "plot" } & HorizonView;
+
+/** A learner at work. */
+export type LearnerView = {
+/** Last tick done. */
+tick: number,
+/** Episode, from 1. */
+episode: number,
+/** Whose turn it is. */
+entrant: string,
+/** It trains on the first task. */
+training: boolean,
+/** Trial under way, from 1. */
+trial: number,
+/** State the agent is in. */
+state: number,
+/** State every trial starts in. */
+start: number,
+/** Absorbing states. */
+ends: Array<number>,
+/** τ or ε of this trial. */
+exploration: number,
+/** The last step; none before the first. */
+step: WalkView | null,
+/** Q, or an actor's preferences: a row a state, a column an action. */
+values: Array<Array<number>>,
+/** What the values began with: the belief matrix, where there is one. */
+beliefs: Array<Array<number>>,
+/** Factor of each chance; 0 excludes an action. */
+weights: Array<Array<number>>,
+/** Chance of each action in each state, as it would be chosen now. */
+chances: Array<Array<number>>,
+/** V of each state. */
+state_values: Array<number>,
+/** The values can be edited; behaviours behind a gate have a table each. */
+editable: boolean,
+/** What planning knows and did; none without planning. */
+planning: PlanningView | null,
+/** The advice in force, and what has become of each rule. */
+advice: Array<AdviceView>, };
+
+/** Planning at work. */
+export type PlanningView = {
+/** Pairs of state and action that the model knows. */
+known: number,
+/** The model: what each known pair led to. */
+model: Array<ModelView>,
+/** Backups of the last step, in order. */
+backups: Array<BackupView>,
+/** Queue of prioritised sweeping, most urgent first, at most 50: state and priority, Eq. (3.24). */
+queue: Array<QueueView>, };
+
+/** What a pair of state and action has led to. */
+export type ModelView = {
+/** x. */
+state: number,
+/** u. */
+action: number,
+/** y, what is looked ahead to; none at an end. */
+ahead: number | null,
+/** Share of the times. */
+chance: number,
+/** Mean reward. */
+reward: number, };
+
+/** A backup made while planning. */
+export type BackupView = {
+/** x. */
+state: number,
+/** u. */
+action: number,
+/** Q(x,u) before. */
+before: number,
+/** The same after. */
+after: number, };
+
+/** A state that waits for a sweep. */
+export type QueueView = {
+/** x. */
+state: number,
+/** Its priority. */
+priority: number, };
+
+/** A rule of advice, and what has become of it. */
+export type AdviceView = {
+/** As it was written. */
+text: string,
+/** Weight of the moment, log-odds; 0 once discarded. */
+weight: number,
+/** Weight it was given. */
+first_weight: number,
+/** How far it holds in the agent's state, 0 to 1. */
+degree: number,
+/** Decisions at which it spoke and was followed. */
+followed: number,
+/** Decisions at which it spoke and was not. */
+ignored: number,
+/** Mean way to the goal after following it, steps; recent trials count more. */
+steps_followed: number,
+/** The same after not following it. */
+steps_ignored: number,
+/** Trial in which it was given, from 1. */
+given: number,
+/** Trial after which it was discarded. */
+discarded: number | null, };
+
+/** A strategy at work. */
+export type BanditView = {
+/** Last tick done. */
+tick: number,
+/** Episode, from 1. */
+episode: number,
+/** Strategy whose turn it is. */
+entrant: string,
+/** Pulls done of this episode. */
+pull: number,
+/** The last pull; none before the first. */
+step: PullView | null,
+/** What each lever pays in the mean, which the agent does not know. */
+means: Array<number>,
+/** What the agent believes of it; 0 where never pulled. */
+estimates: Array<number>,
+/** How often it was pulled. */
+pulls: Array<number>, };
+
+/** The plots of figure 3.3 so far. */
+export type HorizonView = {
+/** Last tick done. */
+tick: number,
+/** Points of all plots. */
+of: number,
+/** The points so far. */
+points: Array<PointView>, };
+
+/** The world of a tabular experiment. */
+export type TaskView = {
+/** `labyrinth`, `maze`, `process`, `levers` or `policies`. */
+kind: string,
+/** Name. */
+name: string,
+/** Title for people. */
+title: string,
+/** The states; none for levers and policies. */
+states: Array<StateView>,
+/** Names of the actions, of the levers or of the policies. */
+actions: Array<string>,
+/** Rows of the drawing; 0 where there is none. */
+rows: number,
+/** Columns of the drawing. */
+columns: number,
+/** Where the actions lead; none for levers and policies. */
+transitions: Array<TransitionView>,
+/** What advice may speak of. */
+features: Array<FeatureView>,
+/** The policies of figure 3.2; none elsewhere. */
+policies: Array<PolicyView>, };
+
+/** A state and its place in the drawing. */
+export type StateView = {
+/** In words. */
+name: string,
+/** Row, from 0 at the top; none where there is no drawing. */
+row: number | null,
+/** Column, from 0 at the left. */
+column: number | null,
+/** Heading in degrees, counter-clockwise from east; none where it has none. */
+heading_deg: number | null,
+/** What stands there in the drawing: `S`, `G`, `X`, a room's letter, or nothing. */
+mark: string, };
+
+/** One outcome of an action in a state. */
+export type TransitionView = {
+/** x. */
+state: number,
+/** u. */
+action: number,
+/** y. */
+next: number,
+/** Its chance. */
+chance: number,
+/** r. */
+reward: number, };
+
+/** Something that advice may speak of. */
+export type FeatureView = {
+/** Its name. */
+name: string,
+/** What it is about. */
+meaning: string,
+/** Its terms, e.g. `near`. */
+terms: Array<string>, };
+
+/** A policy of figure 3.2. */
+export type PolicyView = {
+/** Its name. */
+name: string,
+/** Rewards of the first steps. */
+lead: Array<number>,
+/** Reward of every step after them. */
+then: number, };
+
+/** The whole result of a tabular run: what `run --json` prints and `report.json` holds. */
+export type TableResult = {
+/** Name of the experiment. */
+experiment: string,
+/** Seed. */
+seed: number,
+/** Program version and commit. */
+build: string,
+/** Every setting with its value. */
+settings: Record<string, number | string | boolean>,
+/** The episodes. */
+episodes: Array<EpisodeView>,
+/** How the competitors stand after the last. */
+summary: ScoresView, };
+
+/** Body of `POST sessions/{id}/advice`. */
+export type AdviceRequest = {
+/** Rules, one a line; an empty text takes all advice back. */
+text: string, };
+
+/** Body of `POST sessions/{id}/table`: one value, or a whole table. */
+export type TableRequest = {
+/** x. */
+state: number,
+/** u. */
+action: number,
+/** Q(x,u). */
+value: number, } | {
+/** Q. */
+values: Array<Array<number>>, };
+
+/** A table of values as it is saved: `GET sessions/{id}/table`. */
+export type TableFile = {
+/** Name of the experiment. */
+experiment: string,
+/** Competitor whose values they are. */
+entrant: string,
+/** Last tick done. */
+tick: number,
+/** Names of the states. */
+states: Array<string>,
+/** Names of the actions. */
+actions: Array<string>,
+/** Q, or an actor's preferences: a row a state, a column an action. */
+values: Array<Array<number>>, };
 
 /** Something the thesis shows or claims that can be computed again. */
 export type ReproductionTarget = {
