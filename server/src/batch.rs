@@ -8,9 +8,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-use crate::catalog::{FieldError, Plan, Trained};
-use crate::session::{Run, summary};
-use crate::wire::{AlteredStartView, RunResult, Trial};
+use crate::catalog::{FieldError, Plan, TablePlan, Trained};
+use crate::session::{Run, TableRun, summary};
+use crate::wire::{AlteredStartView, EpisodeView, RunResult, ScoresView, TableResult, Trial};
 use crate::yardstick;
 
 /// Does the jobs on so many threads and hands over each result as soon as all before it are there.
@@ -107,6 +107,35 @@ pub fn result(plan: &Plan, trials: Vec<Trial>, starts: Vec<AlteredStartView>) ->
         summary: summary(&trials, &yardstick),
         trials,
         starts: starts.into_iter().map(AlteredStartView::without_paths).collect(),
+    }
+}
+
+/// All episodes of a tabular plan. Says `done` after each.
+///
+/// # Errors
+/// The setting that contradicts itself or another.
+pub fn table(plan: &TablePlan, done: impl Fn()) -> Result<TableResult, FieldError> {
+    let mut run = TableRun::new(plan)?;
+    let episodes = std::iter::repeat_with(|| run.step_silently()).flatten();
+    let rounds = TableRun::new(plan)?.rounds() as usize;
+    let episodes = episodes.take(rounds).inspect(|_| done()).collect();
+    Ok(table_result(plan, episodes, run.scores()))
+}
+
+/// The whole result of a tabular plan that was run.
+#[must_use]
+pub fn table_result(
+    plan: &TablePlan,
+    episodes: Vec<EpisodeView>,
+    summary: ScoresView,
+) -> TableResult {
+    TableResult {
+        experiment: plan.experiment.clone(),
+        seed: plan.seed,
+        build: crate::build(),
+        settings: plan.values.clone(),
+        episodes,
+        summary,
     }
 }
 

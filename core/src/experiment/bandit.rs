@@ -218,6 +218,32 @@ impl BanditRun {
         self.now.is_none().then(|| self.memory.clone())
     }
 
+    /// Pulls done.
+    #[must_use]
+    pub fn ticks(&self) -> u64 {
+        self.memory.ticks
+    }
+
+    /// Strategy whose turn it is, by number.
+    #[must_use]
+    pub fn turn(&self) -> usize {
+        self.memory.done.len() % self.strategies.len()
+    }
+
+    /// The levers of the episode under way and what the agent knows of them; none between episodes.
+    #[must_use]
+    pub fn now(&self) -> Option<(&Bandit, &Estimates)> {
+        self.now.as_ref().map(|now| (&now.bandit, &now.estimates))
+    }
+
+    /// Pulls at which [`BanditEpisode::course`] was taken.
+    #[must_use]
+    pub fn course_pulls(&self) -> Vec<u32> {
+        let of = u64::from(self.settings.pulls);
+        let hundredth = |pull: u32| u64::from(pull) * 100 / of;
+        (1..=self.settings.pulls).filter(|pull| hundredth(*pull) > hundredth(pull - 1)).collect()
+    }
+
     /// The strategies that compete.
     #[must_use]
     pub fn strategies(&self) -> &[Strategy] {

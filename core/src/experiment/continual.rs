@@ -3,7 +3,8 @@
 use super::contest::{Contest, ContestCheckpoint, Entrant};
 use super::labyrinth::ContestError;
 use crate::labyrinth::{
-    Bias, ContinualRule, EpisodeRule, Labyrinth, Readings, STATES, matrix, walk_setup,
+    Bias, ContinualRule, EpisodeRule, Labyrinth, LabyrinthError, Readings, STATES, matrix,
+    walk_setup,
 };
 use crate::tabular::{Anneal, Exclusion, Transport, WalkSetup};
 
@@ -82,6 +83,14 @@ impl ContinualSettings {
             });
         }
         Ok(entrants)
+    }
+
+    /// The world with its first goal.
+    ///
+    /// # Errors
+    /// When start and goal are the same.
+    pub fn labyrinth(&self) -> Result<Labyrinth, LabyrinthError> {
+        Labyrinth::new(self.start as usize, self.goal as usize)
     }
 
     fn setup(&self, goal: usize, rule: &EpisodeRule) -> Result<WalkSetup, ContestError> {

@@ -88,6 +88,14 @@ impl HorizonRun {
         Some(self.point(model, index))
     }
 
+    /// The points so far.
+    #[must_use]
+    pub fn so_far(&self) -> Vec<HorizonStep> {
+        let mut again = Self { tick: 0, ..self.clone() };
+        let points = usize::try_from(self.tick).unwrap_or(usize::MAX);
+        std::iter::from_fn(|| again.step()).take(points).collect()
+    }
+
     fn point(&self, model: Model, index: u64) -> HorizonStep {
         let parameter = self.parameter(model, index);
         let value = |chain: &Chain| match model {

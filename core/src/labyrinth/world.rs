@@ -45,6 +45,16 @@ pub(super) fn at(cell: usize, heading: usize) -> usize {
     CELLS[cell] + heading % HEADINGS
 }
 
+/// Cell of a state, from 0 in the west to 3 in the east, and its heading in degrees counter-clockwise from
+/// east, in (-180, 180].
+///
+/// # Panics
+/// When the state is not below 16.
+#[must_use]
+pub fn place(state: usize) -> (usize, f64) {
+    (cell(state), [90.0, 0.0, -90.0, 180.0][heading(state)])
+}
+
 /// State that an action leads to, figure 4.5 (b). "Attempting an action against the world boundary does
 /// not change the state."
 ///

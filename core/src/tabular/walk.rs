@@ -12,8 +12,8 @@ pub use setup::{Anneal, Exploration, Explorer, WalkError, WalkSetup};
 pub use step::{Reward, Trial, WalkStep};
 
 use super::{
-    Advisor, AdvisorMemory, AnyLearner, AnyWorld, Experience, Learner, ValuesError, World, chances,
-    choose, unit,
+    Advisor, AdvisorMemory, AnyLearner, AnyWorld, Experience, Learner, Transition, ValuesError,
+    World, chances, choose, unit,
 };
 use crate::fuzzy::advice::AdviceError;
 use crate::rng::{Purpose, stream};
@@ -194,14 +194,15 @@ impl Walk {
         let chances = chances(&self.sums);
         let transition = mdp.sample(state, action, &mut now.transition);
         let ended = mdp.is_absorbing(transition.next);
-        let reward = self.reward(now, action, transition.next, transition.reward);
+        let ahead = self.setup.rule.transport.ahead(transition.next, world.start(), ended);
+        let reward = self.reward(now, action, &transition, ahead);
         let experience = Experience {
             state,
             action,
             chance: chances[action],
             reward: reward.total(),
             next: transition.next,
-            ahead: self.setup.rule.transport.ahead(transition.next, world.start(), ended),
+            ahead,
             ended,
         };
         let update = self.memory.learner.learn(&experience, &mut now.planning);
@@ -240,9 +241,15 @@ impl Walk {
         pull
     }
 
-    fn reward(&self, now: &mut Now, action: usize, next: usize, task: f64) -> Reward {
-        let state = now.state;
-        let mut reward = Reward { task, ..Reward::default() };
+    fn reward(
+        &self,
+        now: &mut Now,
+        action: usize,
+        transition: &Transition,
+        ahead: Option<usize>,
+    ) -> Reward {
+        let (state, next) = (now.state, transition.next);
+        let mut reward = Reward { task: transition.reward, ..Reward::default() };
         let deterministic = self.setup.world.mdp().outcomes(state, action).len() == 1;
         if let Some(subgoals) = &self.setup.shaping.subgoals {
             if subgoals.states[next] && !now.visited[next] {
@@ -254,11 +261,14 @@ impl Walk {
             }
         }
         if let Some((estimate, per_step)) = &self.setup.shaping.progress {
-            let ends = self.setup.world.mdp().is_absorbing(next);
-            let ahead = if ends { 0.0 } else { estimate[next] };
-            // NOTE: the step ahead is discounted, so that walking to and fro earns nothing and the best way
-            // stays the best; the thesis gives no formula.
-            reward.progress = per_step * (estimate[state] - self.setup.rule.discount * ahead);
+            // NOTE: the thesis gives no formula. Progress is the discounted change of the way that is already
+            // behind, counted from the farthest state: walking to and fro earns nothing, staying costs, and the
+            // best way stays the best. Counted from the goal instead, an action that changes nothing would
+            // earn something, and a learner that knows nothing yet would repeat it for ever.
+            let farthest = estimate.iter().copied().fold(0.0, f64::max);
+            let behind = |state: usize| farthest - estimate[state];
+            let then = ahead.map_or(0.0, behind);
+            reward.progress = per_step * (self.setup.rule.discount * then - behind(state));
         }
         reward
     }
@@ -319,6 +329,12 @@ impl Walk {
     #[must_use]
     pub fn trials_done(&self) -> u32 {
         self.memory.trials
+    }
+
+    /// τ or ε of the trial under way, or of the next.
+    #[must_use]
+    pub fn exploration(&self) -> f64 {
+        self.memory.exploration
     }
 
     /// State the agent is in; the start between trials.

@@ -87,6 +87,14 @@ pub(super) async fn log(
 }
 
 fn session_file(app: &App, id: &str, format: &str) -> Result<Vec<u8>, Failure> {
+    if let Some(report) = app.reporter().table(id)? {
+        return Ok(match format {
+            "html" => report::table_html(&report).into_bytes(),
+            "json" => report::table_json(&report).into_bytes(),
+            "csv" => report::table_csv(&report).into_bytes(),
+            _ => table_zip(app, id, &report)?,
+        });
+    }
     let report = app.reporter().session(id)?;
     Ok(match format {
         "html" => report::html(&report).into_bytes(),
@@ -102,15 +110,26 @@ fn zip(app: &App, id: &str, session: &report::SessionReport) -> Result<Vec<u8>, 
         Err(ReportError::NoTrial { .. }) => Ok(None),
         Err(error) => Err(io::Error::other(error)),
     };
-    let mut log = match File::open(app.lab.store().log_path(id)) {
-        Ok(file) => Some(file),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-        Err(error) => return Err(Failure::internal(error.to_string())),
-    };
+    let mut log = open_log(app, id)?;
     let log = log.as_mut().map(|file| file as &mut dyn Read);
     let target = io::Cursor::new(Vec::new());
     let written = report::zip(session, trial, log, target);
     written.map(io::Cursor::into_inner).map_err(|error| Failure::internal(error.to_string()))
+}
+
+fn table_zip(app: &App, id: &str, session: &report::TableReport) -> Result<Vec<u8>, Failure> {
+    let mut log = open_log(app, id)?;
+    let log = log.as_mut().map(|file| file as &mut dyn Read);
+    let written = report::table_zip(session, log, io::Cursor::new(Vec::new()));
+    written.map(io::Cursor::into_inner).map_err(|error| Failure::internal(error.to_string()))
+}
+
+fn open_log(app: &App, id: &str) -> Result<Option<File>, Failure> {
+    match File::open(app.lab.store().log_path(id)) {
+        Ok(file) => Ok(Some(file)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(Failure::internal(error.to_string())),
+    }
 }
 
 fn trial_file(app: &App, id: &str, trial: u32, format: &str) -> Result<Vec<u8>, Failure> {

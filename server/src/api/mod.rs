@@ -14,6 +14,7 @@ mod sessions;
 mod starts;
 mod status;
 mod stream;
+mod tables;
 mod ticks;
 mod traces;
 mod worlds;

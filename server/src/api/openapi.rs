@@ -8,8 +8,8 @@ use utoipa_axum::routes;
 use utoipa_swagger_ui::SwaggerUi;
 
 use super::{
-    App, arena, controls, experiments, files, reproductions, sessions, starts, stream, ticks,
-    traces, worlds,
+    App, arena, controls, experiments, files, reproductions, sessions, starts, stream, tables,
+    ticks, traces, worlds,
 };
 
 #[derive(OpenApi)]
@@ -43,6 +43,9 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(controls::stop))
         .routes(routes!(controls::reset))
         .routes(routes!(controls::speed))
+        .routes(routes!(tables::advise))
+        .routes(routes!(tables::save, tables::change))
+        .routes(routes!(ticks::episodes))
         .routes(routes!(ticks::trials))
         .routes(routes!(ticks::trial))
         .routes(routes!(ticks::ticks))

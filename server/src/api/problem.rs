@@ -119,6 +119,7 @@ impl From<ControlError> for Failure {
             ControlError::Refused(refused) => Self::conflict(refused.to_string()),
             ControlError::Field(error) => error.into(),
             ControlError::Store(error) => error.into(),
+            ControlError::NotUnderWay { .. } => Self::conflict(error.to_string()),
             ControlError::Gone => Self::internal(error.to_string()),
         }
     }

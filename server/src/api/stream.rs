@@ -14,6 +14,7 @@ use super::extract::{Path, Query};
 use super::guard::check_origin;
 use super::problem::Failure;
 use super::{App, blocking};
+use crate::catalog::Job;
 use crate::session::{LabError, Scenery};
 use crate::stream::{LARGEST_MESSAGE, serve};
 use crate::wire::Problem;
@@ -42,7 +43,11 @@ pub(super) async fn open(
     let (feed, scenery) = {
         let lab = app.lab.clone();
         blocking(move || -> Result<_, LabError> {
-            Ok((lab.feed(&id)?, Arc::new(Scenery::new(&lab.plan(&id)?))))
+            let scenery = match lab.job(&id)? {
+                Job::Path(plan) => Some(Arc::new(Scenery::new(&plan))),
+                Job::Table(_) => None,
+            };
+            Ok((lab.feed(&id)?, scenery))
         })
         .await?
     };

@@ -10,7 +10,7 @@ use utoipa::IntoParams;
 use super::extract::{Path, Query};
 use super::problem::Failure;
 use super::{App, blocking};
-use crate::wire::{NeuronView, Problem, TickView, Trial, TrialEndView};
+use crate::wire::{EpisodeView, NeuronView, Problem, StepView, TickView, Trial, TrialEndView};
 
 /// Most ticks in one answer.
 const MOST_TICKS: u64 = 10_000;
@@ -24,7 +24,19 @@ pub(super) async fn trials(
     Path(id): Path<String>,
 ) -> Result<Json<Vec<Trial>>, Failure> {
     let feed = blocking(move || app.lab.feed(&id)).await?;
-    Ok(Json(feed.trials().iter().map(|trial| Trial::clone(trial)).collect()))
+    Ok(Json(feed.rounds().iter().filter_map(|round| round.trial().cloned()).collect()))
+}
+
+/// The episodes of a tabular session that ended, in order
+#[utoipa::path(get, path = "/sessions/{id}/episodes", tag = "results",
+    params(("id" = String, Path, description = "Identifier")),
+    responses((status = 200, body = [EpisodeView]), (status = 404, body = Problem)))]
+pub(super) async fn episodes(
+    State(app): State<App>,
+    Path(id): Path<String>,
+) -> Result<Json<Vec<EpisodeView>>, Failure> {
+    let feed = blocking(move || app.lab.feed(&id)).await?;
+    Ok(Json(feed.rounds().iter().filter_map(|round| round.episode().cloned()).collect()))
 }
 
 /// A trial of a session.
@@ -72,11 +84,23 @@ pub(super) struct TicksQuery {
     to: Option<u64>,
 }
 
+/// What `ticks` answers with, by the kind of session.
+#[derive(utoipa::ToSchema)]
+#[schema(as = TickOrStep)]
+#[serde(untagged)]
+#[expect(dead_code, reason = "it describes an answer that is copied from the log as it is")]
+pub(super) enum TickOrStep {
+    /// Of a robot's session.
+    Ticks(Vec<TickView>),
+    /// Of a tabular session.
+    Steps(Vec<StepView>),
+}
+
 /// Control steps with their explanations
 #[utoipa::path(get, path = "/sessions/{id}/ticks", tag = "results",
     params(("id" = String, Path, description = "Identifier"), TicksQuery),
-    responses((status = 200, body = [TickView]), (status = 404, body = Problem),
-        (status = 422, body = Problem)))]
+    responses((status = 200, description = "`TickView`s, or `StepView`s of a tabular session",
+            body = TickOrStep), (status = 404, body = Problem), (status = 422, body = Problem)))]
 pub(super) async fn ticks(
     State(app): State<App>,
     Path(id): Path<String>,
@@ -112,7 +136,9 @@ pub(super) async fn neurons(
     Path(id): Path<String>,
 ) -> Result<Json<Vec<NeuronView>>, Failure> {
     let feed = blocking(move || app.lab.feed(&id)).await?;
-    Ok(Json(feed.snapshot().neurons.to_vec()))
+    let snapshot = feed.snapshot();
+    let neurons = snapshot.present.path().map(|path| path.neurons.to_vec());
+    Ok(Json(neurons.unwrap_or_default()))
 }
 
 /// One neuron as it is now: four parameters and birth certificate

@@ -11,9 +11,10 @@ use sonarium_core::experiment::Settings;
 use sonarium_core::robot::Robot;
 use sonarium_core::settings::{Kind, Spec, Standing};
 
-use super::presets::Preset;
+use super::presets::{self, Preset};
+use super::tables::{self, TableExperiment, Tasks};
 use super::{CatalogError, DEFAULT_TRIALS, FieldError, MAX_TRIALS, Worlds, plan, values};
-use crate::wire::{Choice, ExperimentInfo, RobotInfo, SettingInfo, StartView};
+use crate::wire::{Choice, ExperimentInfo, Family, RobotInfo, SettingInfo, StartView};
 
 #[derive(Embed)]
 #[folder = "$CARGO_MANIFEST_DIR/../assets/experiments"]
@@ -77,12 +78,13 @@ impl Experiment {
             title: self.file.title.clone(),
             summary: self.file.summary.clone(),
             source: self.file.source.clone(),
-            robot: RobotInfo {
+            family: Family::Path,
+            robot: Some(RobotInfo {
                 name: self.robot.name().to_owned(),
                 title: self.robot.title().to_owned(),
                 summary: self.robot.summary().to_owned(),
                 source: self.robot.source().to_owned(),
-            },
+            }),
             default_trials: self.trials,
             max_trials: MAX_TRIALS,
             presets: self.presets.iter().map(Preset::info).collect(),
@@ -98,42 +100,45 @@ impl Experiment {
     }
 
     fn setting(&self, spec: &Spec) -> SettingInfo {
-        let (kind, min, max, choices) = match spec.kind {
-            Kind::Switch => ("switch", None, None, Vec::new()),
-            #[expect(clippy::cast_precision_loss, reason = "bounds are far below 2^53")]
-            Kind::Integer(least, most) => {
-                ("integer", Some(least as f64), Some(most as f64), Vec::new())
-            }
-            Kind::Number(least, most) => ("number", Some(least), Some(most), Vec::new()),
-            Kind::Choice(names) => ("choice", None, None, names.iter().map(choice).collect()),
-        };
         let own = self.file.settings.get(spec.key);
-        let or = |own: Option<&String>, program: &str| {
-            own.cloned().unwrap_or_else(|| program.to_owned())
-        };
+        let or = |own: Option<&String>, program: String| own.cloned().unwrap_or(program);
+        let default = values::to_json(self.defaults.get(spec.key).as_ref());
+        let program = setting_info(spec, default);
         SettingInfo {
-            key: spec.key.into(),
-            meaning: spec.meaning.into(),
-            kind: kind.into(),
-            unit: spec.unit.into(),
-            default: values::to_json(self.defaults.get(spec.key).as_ref()),
-            min,
-            max,
-            choices,
-            source: or(own.and_then(|own| own.source.as_ref()), spec.source),
-            standing: or(own.and_then(|own| own.standing.as_ref()), spec.standing.name()),
+            source: or(own.and_then(|own| own.source.as_ref()), program.source),
+            standing: or(own.and_then(|own| own.standing.as_ref()), program.standing),
+            ..program
         }
     }
 
     /// A preset's settings by its name.
     pub(super) fn preset(&self, name: &str) -> Result<&BTreeMap<String, Json>, FieldError> {
-        let found = self.presets.iter().find(|preset| preset.name == name);
-        found.map(|preset| &preset.settings).ok_or_else(|| {
-            let names: Vec<&str> = self.presets.iter().map(|p| p.name.as_str()).collect();
-            let message =
-                format!("there is no preset `{name}`; there are {}", plan::listed(&names));
-            FieldError::new("settings.preset", message)
-        })
+        presets::find(&self.presets, name)
+    }
+}
+
+/// A setting as a user sees it.
+pub(super) fn setting_info(spec: &Spec, default: Json) -> SettingInfo {
+    let (kind, min, max, choices) = match spec.kind {
+        Kind::Switch => ("switch", None, None, Vec::new()),
+        #[expect(clippy::cast_precision_loss, reason = "bounds are far below 2^53")]
+        Kind::Integer(least, most) => {
+            ("integer", Some(least as f64), Some(most as f64), Vec::new())
+        }
+        Kind::Number(least, most) => ("number", Some(least), Some(most), Vec::new()),
+        Kind::Choice(names) => ("choice", None, None, names.iter().map(choice).collect()),
+    };
+    SettingInfo {
+        key: spec.key.into(),
+        meaning: spec.meaning.into(),
+        kind: kind.into(),
+        unit: spec.unit.into(),
+        default,
+        min,
+        max,
+        choices,
+        source: spec.source.into(),
+        standing: spec.standing.name().into(),
     }
 }
 
@@ -145,26 +150,33 @@ fn stem(file: &str) -> &str {
     file.trim_end_matches(".toml")
 }
 
-/// The experiments in the program, in the order of their names.
+/// The experiments in the program: those with a robot in the order of their names, then the tabular ones.
 pub(super) fn embedded(
     robots: &BTreeMap<String, Arc<Robot>>,
     worlds: &Worlds,
     mut presets: BTreeMap<String, Vec<Preset>>,
-) -> Result<Vec<Experiment>, CatalogError> {
+    tasks: &Tasks,
+) -> Result<(Vec<Experiment>, Vec<TableExperiment>), CatalogError> {
     let mut files: Vec<String> = Files::iter().map(|file| file.into_owned()).collect();
     // By name without the ending, so that a variant of an experiment comes after it.
     files.sort_unstable_by(|a, b| stem(a).cmp(stem(b)));
-    let experiment = |file: String| {
+    let (mut experiments, mut tabular) = (Vec::new(), Vec::new());
+    for file in files {
         let broken =
             |message: String| CatalogError { file: format!("experiments/{file}"), message };
         let name = stem(&file);
         let text = Files::get(&file).map(|file| String::from_utf8_lossy(&file.data).into_owned());
-        let presets = presets.remove(name).unwrap_or_default();
-        read(name, &text.unwrap_or_default(), robots, worlds, presets).map_err(broken)
-    };
-    let experiments = files.into_iter().map(experiment).collect::<Result<_, _>>()?;
+        let (text, presets) = (text.unwrap_or_default(), presets.remove(name).unwrap_or_default());
+        if tables::NAMES.contains(&name) {
+            let read = TableExperiment::read(name, &text, presets, tasks).map_err(broken)?;
+            tabular.push(read);
+        } else {
+            experiments.push(read(name, &text, robots, worlds, presets).map_err(broken)?);
+        }
+    }
+    tabular.sort_by_key(|table| tables::NAMES.iter().position(|name| *name == table.name));
     match presets.into_keys().next() {
-        None => Ok(experiments),
+        None => Ok((experiments, tabular)),
         Some(name) => Err(CatalogError {
             file: format!("presets/{name}"),
             message: "must be named after an experiment".into(),

@@ -6,14 +6,16 @@ mod plan;
 mod presets;
 mod robots;
 mod starts;
+mod tables;
 mod values;
 mod worlds;
 
 pub use experiments::Experiment;
 pub use network::Trained;
-pub use plan::{FieldError, Plan, speed as check_speed};
+pub use plan::{FieldError, Job, Plan, speed as check_speed};
 pub use presets::Preset;
 pub use starts::starts_from_text;
+pub use tables::{NamedTask, TablePlan, TableSettings, Texts};
 pub use values::{flatten, from_text};
 pub use worlds::{
     BrokenWorld, DEFAULT_WORLD, NamedWorld, Worlds, WorldsError, parse as parse_world,
@@ -37,7 +39,9 @@ pub const DEFAULT_TRIALS: u32 = 20;
 #[derive(Debug)]
 pub struct Catalog {
     worlds: Worlds,
+    tasks: tables::Tasks,
     experiments: Vec<Experiment>,
+    tables: Vec<tables::TableExperiment>,
     infos: Vec<ExperimentInfo>,
 }
 
@@ -58,16 +62,19 @@ impl Catalog {
     /// When an embedded file is broken. A broken world of the user's is kept and refused when chosen.
     pub fn load(own_worlds: Option<&Path>) -> Result<Self, CatalogError> {
         let worlds = Worlds::load(own_worlds)?;
-        let experiments =
-            experiments::embedded(&robots::embedded()?, &worlds, presets::embedded()?)?;
-        let infos = experiments.iter().map(|experiment| experiment.info(&worlds)).collect();
-        Ok(Self { worlds, experiments, infos })
+        let tasks = tables::Tasks::embedded()?;
+        let (experiments, tables) =
+            experiments::embedded(&robots::embedded()?, &worlds, presets::embedded()?, &tasks)?;
+        let mut catalog = Self { worlds, tasks, experiments, tables, infos: Vec::new() };
+        catalog.infos = catalog.experiments();
+        Ok(catalog)
     }
 
     /// All experiments, with the worlds that there are now.
     #[must_use]
     pub fn experiments(&self) -> Vec<ExperimentInfo> {
-        self.experiments.iter().map(|experiment| experiment.info(&self.worlds)).collect()
+        let paths = self.experiments.iter().map(|experiment| experiment.info(&self.worlds));
+        paths.chain(self.tables.iter().map(|table| table.info(&self.tasks))).collect()
     }
 
     /// An experiment by name, as a user sees it, with the worlds that there were when the program started.
@@ -85,5 +92,10 @@ impl Catalog {
     /// Adds a world for this run, before all others of its name.
     pub fn give_world(&mut self, world: NamedWorld) {
         self.worlds.give(world);
+    }
+
+    /// Adds a maze or a process for this run, before all others of its name.
+    pub fn give_task(&mut self, task: NamedTask) {
+        self.tasks.give(task);
     }
 }

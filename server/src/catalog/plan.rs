@@ -9,7 +9,9 @@ use sonarium_core::robot::Robot;
 use sonarium_core::settings::{SettingError, Spec};
 
 use super::worlds::NamedWorld;
-use super::{Catalog, Experiment, MAX_TRIALS, Trained, network, presets, values, worlds};
+use super::{
+    Catalog, Experiment, MAX_TRIALS, TablePlan, Trained, network, presets, values, worlds,
+};
 use crate::clock;
 use crate::session::Names;
 use crate::store::SessionRow;
@@ -22,7 +24,7 @@ const MAX_SEED: u64 = (1 << 53) - 1;
 /// Slowest and fastest pace in ticks a second.
 const SPEEDS: std::ops::RangeInclusive<f64> = 0.1..=10_000.0;
 /// Pace unless told otherwise.
-const DEFAULT_SPEED: Speed = Speed::TicksPerSecond(30.0);
+pub(super) const DEFAULT_SPEED: Speed = Speed::TicksPerSecond(30.0);
 
 /// Everything a run needs, checked.
 #[derive(Clone, Debug)]
@@ -53,6 +55,44 @@ pub struct Plan {
     pub speed: Speed,
 }
 
+/// What a session runs.
+#[derive(Clone, Debug)]
+pub enum Job {
+    /// A robot that learns a path.
+    Path(Box<Plan>),
+    /// Learners with tables.
+    Table(Box<TablePlan>),
+}
+
+impl Job {
+    /// Keys whose value is not the default's.
+    #[must_use]
+    pub fn changed(&self) -> &[String] {
+        match self {
+            Self::Path(plan) => &plan.changed,
+            Self::Table(plan) => &plan.changed,
+        }
+    }
+
+    /// Pace.
+    #[must_use]
+    pub fn speed(&self) -> Speed {
+        match self {
+            Self::Path(plan) => plan.speed,
+            Self::Table(plan) => plan.speed,
+        }
+    }
+
+    /// Seed.
+    #[must_use]
+    pub fn seed(&self) -> u64 {
+        match self {
+            Self::Path(plan) => plan.seed,
+            Self::Table(plan) => plan.seed,
+        }
+    }
+}
+
 /// A field that cannot be taken.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{field}: {message}")]
@@ -71,7 +111,30 @@ impl FieldError {
 }
 
 impl Catalog {
-    /// Fills a request up: defaults, then the preset, then what was given.
+    /// Fills a request of any experiment up.
+    ///
+    /// # Errors
+    /// The first field that is unknown, of the wrong type or out of range.
+    pub fn job(&self, request: &NewSession) -> Result<Job, FieldError> {
+        match self.resolve_table(request) {
+            Some(plan) => Ok(Job::Table(Box::new(plan?))),
+            None => Ok(Job::Path(Box::new(self.resolve(request)?))),
+        }
+    }
+
+    /// What a stored session runs, in the world as it was when the session was created and with the
+    /// networks it began with.
+    ///
+    /// # Errors
+    /// When this program no longer knows its experiment, its world or one of its settings.
+    pub fn restore(&self, row: &SessionRow, network: Option<&str>) -> Result<Job, FieldError> {
+        match self.restore_table(row) {
+            Some(plan) => Ok(Job::Table(Box::new(plan?))),
+            None => Ok(Job::Path(Box::new(self.restore_path(row, network)?))),
+        }
+    }
+
+    /// Fills a request for a robot's experiment up: defaults, then the preset, then what was given.
     ///
     /// # Errors
     /// The first field that is unknown, of the wrong type or out of range.
@@ -86,12 +149,7 @@ impl Catalog {
         resolve_in(experiment, world, network::asked(request)?, request)
     }
 
-    /// The plan of a stored session, in the world as it was when the session was created and with the
-    /// networks it began with.
-    ///
-    /// # Errors
-    /// When this program no longer knows its experiment, its world or one of its settings.
-    pub fn restore(&self, row: &SessionRow, network: Option<&str>) -> Result<Plan, FieldError> {
+    fn restore_path(&self, row: &SessionRow, network: Option<&str>) -> Result<Plan, FieldError> {
         let experiment = self.find(&row.experiment)?;
         let world = self.worlds().stored(&row.world, &row.world_text, &experiment.robot)?;
         if network.is_none() && row.settings.contains_key(NETWORK) {
@@ -107,7 +165,7 @@ impl Catalog {
                 experiment: row.experiment.clone(),
                 seed: Some(row.seed),
                 settings: row.settings.clone(),
-                trials: Some(row.trials),
+                trials: Some(row.trials_each),
                 speed: Some(row.speed),
                 network: None,
             },
@@ -117,7 +175,9 @@ impl Catalog {
     fn find(&self, name: &str) -> Result<&Experiment, FieldError> {
         let found = self.experiments.iter().find(|experiment| experiment.name == name);
         found.ok_or_else(|| {
-            let names: Vec<&str> = self.experiments.iter().map(|e| e.name.as_str()).collect();
+            let paths = self.experiments.iter().map(|experiment| experiment.name.as_str());
+            let tables = self.tables.iter().map(|table| table.name.as_str());
+            let names: Vec<&str> = paths.chain(tables).collect();
             let message = format!("there is no experiment `{name}`; there are {}", listed(&names));
             FieldError::new("experiment", message)
         })
@@ -201,7 +261,7 @@ pub fn speed(speed: Speed) -> Result<Speed, FieldError> {
 }
 
 /// Checks a seed, or draws one.
-fn seed(seed: Option<u64>) -> Result<u64, FieldError> {
+pub(super) fn seed(seed: Option<u64>) -> Result<u64, FieldError> {
     match seed {
         Some(seed) if seed > MAX_SEED => {
             let message = format!("{seed} is out of range; a whole number from 0 to {MAX_SEED}");
@@ -223,7 +283,7 @@ fn trials(trials: u32) -> Result<u32, FieldError> {
     }
 }
 
-fn name_in<'a>(
+pub(super) fn name_in<'a>(
     settings: &'a BTreeMap<String, Json>,
     key: &str,
 ) -> Result<Option<&'a str>, FieldError> {

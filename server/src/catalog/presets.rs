@@ -6,7 +6,8 @@ use rust_embed::Embed;
 use serde::Deserialize;
 use serde_json::Value as Json;
 
-use super::{CatalogError, values};
+use super::plan::listed;
+use super::{CatalogError, FieldError, values};
 use crate::wire::PresetInfo;
 
 /// The preset a session starts from unless told otherwise.
@@ -47,6 +48,19 @@ impl Preset {
             settings: self.settings.clone(),
         }
     }
+}
+
+/// A preset's settings by its name.
+pub(super) fn find<'a>(
+    presets: &'a [Preset],
+    name: &str,
+) -> Result<&'a BTreeMap<String, Json>, FieldError> {
+    let found = presets.iter().find(|preset| preset.name == name);
+    found.map(|preset| &preset.settings).ok_or_else(|| {
+        let names: Vec<&str> = presets.iter().map(|preset| preset.name.as_str()).collect();
+        let message = format!("there is no preset `{name}`; there are {}", listed(&names));
+        FieldError::new("settings.preset", message)
+    })
 }
 
 /// The presets in the program by their experiment, the default first.

@@ -13,10 +13,11 @@ use super::{Failure, cores, default_data, output, world};
 use crate::batch;
 use crate::catalog::{Catalog, FieldError, Plan, Trained, flatten, from_text, starts_from_text};
 use crate::session::{Run, check_starts};
-use crate::wire::{NewSession, RunResult};
+use crate::wire::{Family, NewSession, RunResult};
 
 mod network;
 mod recorded;
+mod table;
 
 /// Most seeds in one call.
 const MOST_SEEDS: u64 = 100_000;
@@ -37,10 +38,11 @@ pub(super) struct Arguments {
     /// TOML file with `seed`, `trials` and a table `settings`; what is given here comes first
     #[arg(long, value_name = "FILE")]
     config: Option<PathBuf>,
-    /// Trials, 1 to 100000
+    /// Trials, 1 to 100000; those of each episode in a tabular experiment
     #[arg(long)]
     trials: Option<u32>,
-    /// World of this run: a TOML file, or the YAML file of a ROS map; `--set world=NAME` takes one by name
+    /// World of this run: a TOML file, or the YAML file of a ROS map; a maze or a process for `gridworld`;
+    /// `--set world=NAME` takes one by name
     #[arg(long, value_name = "FILE")]
     world: Option<PathBuf>,
     #[command(flatten)]
@@ -67,6 +69,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let own_worlds = arguments.out.clone().unwrap_or_else(default_data).join("worlds");
     let mut catalog = Catalog::load(Some(&own_worlds))?;
     let mut requests = requests(arguments)?;
+    let family = catalog.experiment(&arguments.experiment).map(|experiment| experiment.family);
+    if family == Some(Family::Table) {
+        return table::run(arguments, catalog, requests);
+    }
     match &arguments.world {
         Some(file) => give_world(&mut catalog, &mut requests, file, &arguments.placing)?,
         None => arguments.placing.refuse_without_world()?,

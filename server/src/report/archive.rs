@@ -48,7 +48,7 @@ pub fn zip<W: Write + Seek>(
     log: Option<&mut dyn Read>,
     target: W,
 ) -> Result<W, ArchiveError> {
-    let mut archive = Archive { writer: ZipWriter::new(target), names: BTreeSet::new() };
+    let mut archive = Archive::new(target);
     archive.text("report.html", &html(report))?;
     archive.text("report.json", &json(report))?;
     archive.text("trials.csv", &csv(report))?;
@@ -64,7 +64,7 @@ pub fn zip<W: Write + Seek>(
     }
     let readme = super::readme::text(report, &archive.names, &missing);
     archive.text("README.txt", &readme)?;
-    archive.writer.finish().map_err(|source| failed("its directory", source))
+    archive.finish()
 }
 
 /// A picture's place; the number keeps two pictures of one name apart.
@@ -74,12 +74,20 @@ fn picture_path(index: usize, picture: &Picture) -> String {
     format!("pictures/{:02}-{name}.png", index + 1)
 }
 
-struct Archive<W: Write + Seek> {
+pub(super) struct Archive<W: Write + Seek> {
     writer: ZipWriter<W>,
     names: BTreeSet<String>,
 }
 
 impl<W: Write + Seek> Archive<W> {
+    pub(super) fn new(target: W) -> Self {
+        Self { writer: ZipWriter::new(target), names: BTreeSet::new() }
+    }
+
+    pub(super) fn finish(self) -> Result<W, ArchiveError> {
+        self.writer.finish().map_err(|source| failed("its directory", source))
+    }
+
     /// Writes the trials; answers those that the log no longer holds.
     fn trials(
         &mut self,
@@ -108,7 +116,7 @@ impl<W: Write + Seek> Archive<W> {
         }
     }
 
-    fn text(&mut self, name: &str, text: &str) -> Result<(), ArchiveError> {
+    pub(super) fn text(&mut self, name: &str, text: &str) -> Result<(), ArchiveError> {
         self.start(name, SimpleFileOptions::default())?;
         self.bytes(name, text.as_bytes())
     }
@@ -121,7 +129,7 @@ impl<W: Write + Seek> Archive<W> {
     }
 
     /// The log's chunks are compressed already, and it may pass 4 GiB.
-    fn log(&mut self, log: &mut dyn Read) -> Result<(), ArchiveError> {
+    pub(super) fn log(&mut self, log: &mut dyn Read) -> Result<(), ArchiveError> {
         let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
         self.start("log.mcap", stored.large_file(true))?;
         let mut block = vec![0; 64 * 1024];

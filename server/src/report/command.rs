@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::SessionReport;
+use super::RunInfo;
 use super::differences::same_value;
 use super::number::value_text;
 
@@ -10,18 +10,23 @@ use super::number::value_text;
 ///
 /// It names the preset, the world and every value that is not the preset's; one setting a line, so
 /// that it can be read, printed and pasted into a POSIX shell.
-pub(super) fn repeat_command(report: &SessionReport) -> String {
-    let session = &report.session;
+pub(super) fn repeat_command(run: RunInfo) -> String {
+    let session = run.session;
     let (seed, trials) = (session.seed, session.trials);
-    let run = format!("sonarium run {} --seed {seed} --trials {trials}", word(&session.experiment));
-    let mut lines = vec![run, set("preset", &session.preset), set("world", &session.world)];
+    let first =
+        format!("sonarium run {} --seed {seed} --trials {trials}", word(&session.experiment));
+    let mut lines = vec![first, set("preset", &session.preset)];
+    // A tabular experiment may have no choice of worlds.
+    if session.settings.contains_key("world") {
+        lines.push(set("world", &session.world));
+    }
     if session.settings.contains_key("network") {
         // The zip holds the file under this name.
         lines.push("--network network.json".to_owned());
     }
     for (key, value) in &session.settings {
         let named = matches!(key.as_str(), "preset" | "world" | "network");
-        if !named && !preset_gives(report, key, value) {
+        if !named && !preset_gives(run, key, value) {
             lines.push(set(key, &value_text(value)));
         }
     }
@@ -32,9 +37,9 @@ fn set(key: &str, value: &str) -> String {
     format!("--set {}", word(&format!("{key}={value}")))
 }
 
-fn preset_gives(report: &SessionReport, key: &str, value: &Value) -> bool {
-    let default = || report.settings.iter().find(|info| info.key == key).map(|info| &info.default);
-    let given = report.preset.settings.get(key).or_else(default);
+fn preset_gives(run: RunInfo, key: &str, value: &Value) -> bool {
+    let default = || run.settings.iter().find(|info| info.key == key).map(|info| &info.default);
+    let given = run.preset.settings.get(key).or_else(default);
     given.is_some_and(|given| same_value(given, value))
 }
 
@@ -55,7 +60,7 @@ mod tests {
 
     #[test]
     fn the_command_names_what_the_preset_does_not_give() {
-        let command = repeat_command(&sample::session_report());
+        let command = repeat_command(sample::session_report().run());
         let lines: Vec<&str> = command.split(" \\\n    ").collect();
         assert_eq!(
             lines,
@@ -72,9 +77,9 @@ mod tests {
     fn what_a_preset_gives_is_left_out_and_what_undoes_it_is_named() {
         let mut report = sample::session_report();
         report.preset.settings.insert("shortcut.push".into(), Value::from(false));
-        assert!(repeat_command(&report).contains("--set shortcut.push=true"));
+        assert!(repeat_command(report.run()).contains("--set shortcut.push=true"));
         report.session.settings.insert("shortcut.push".into(), Value::from(false));
-        assert!(!repeat_command(&report).contains("shortcut.push"));
+        assert!(!repeat_command(report.run()).contains("shortcut.push"));
     }
 
     #[test]

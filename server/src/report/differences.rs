@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::SessionReport;
+use super::RunInfo;
 use crate::wire::SettingInfo;
 
 /// Settings that say how the thesis was read, grouped by their standing.
@@ -48,13 +48,13 @@ const NAMES_OF_SETS: [&str; 2] = ["preset", "world"];
 impl Differences {
     /// Those of a session.
     #[must_use]
-    pub fn of(report: &SessionReport) -> Self {
+    pub fn of(run: RunInfo) -> Self {
         let mut differences = Self::default();
-        for info in &report.settings {
+        for info in run.settings {
             if NAMES_OF_SETS.contains(&info.key.as_str()) {
                 continue;
             }
-            let Some(value) = report.session.settings.get(&info.key) else { continue };
+            let Some(value) = run.session.settings.get(&info.key) else { continue };
             let difference = Difference::new(info, value);
             match info.standing.as_str() {
                 "literal" if difference.is_default => {}
@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn settings_are_grouped_by_standing() {
-        let differences = Differences::of(&sample::session_report());
+        let differences = Differences::of(sample::session_report().run());
         assert_eq!(keys(&differences.deviations), ["exploration.scale", "goal.radius"]);
         assert_eq!(keys(&differences.additions), ["shortcut.push"]);
         assert_eq!(keys(&differences.readings), ["action.frame"]);
@@ -134,12 +134,12 @@ mod tests {
         let printed = report.settings.iter().find(|info| info.key == "goal.radius");
         let printed = printed.expect("the sample has it").default.clone();
         report.session.settings.insert("goal.radius".into(), printed);
-        assert_eq!(keys(&Differences::of(&report).deviations), ["exploration.scale"]);
+        assert_eq!(keys(&Differences::of(report.run()).deviations), ["exploration.scale"]);
     }
 
     #[test]
     fn a_choice_says_what_it_means() {
-        let differences = Differences::of(&sample::session_report());
+        let differences = Differences::of(sample::session_report().run());
         let frame = &differences.readings[0];
         assert_eq!(frame.value_meaning.as_deref(), Some("Heading in the odometry frame"));
     }

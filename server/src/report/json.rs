@@ -28,7 +28,7 @@ pub fn json(report: &SessionReport) -> String {
         summary: &report.summary,
         yardstick: &report.yardstick,
         starts: &report.starts,
-        differences: Differences::of(report),
+        differences: Differences::of(report.run()),
         events: &report.events,
         settings_info: &report.settings,
         format_version: FORMAT_VERSION,

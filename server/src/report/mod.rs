@@ -15,6 +15,7 @@ mod page;
 mod readme;
 mod session_page;
 mod session_tables;
+mod table;
 mod trial_page;
 mod trial_tables;
 
@@ -28,6 +29,7 @@ pub use csv::{csv, line as csv_line, trial_csv};
 pub use differences::{Difference, Differences};
 pub use json::{FORMAT_VERSION, json, trial_json};
 pub use session_page::html;
+pub use table::{TableReport, table_csv, table_html, table_json, table_zip};
 pub use trial_page::trial_html;
 
 use crate::wire::{
@@ -64,6 +66,25 @@ pub struct SessionReport {
     pub pictures: Vec<Picture>,
     /// Program version and commit that wrote the report; the session names the one that ran it.
     pub build: String,
+}
+
+/// What the reports of both families of experiments say of a run.
+#[derive(Clone, Copy, Debug)]
+pub struct RunInfo<'a> {
+    /// The session.
+    pub session: &'a Session,
+    /// Every setting of the experiment.
+    pub settings: &'a [SettingInfo],
+    /// The preset the settings started from.
+    pub preset: &'a PresetInfo,
+}
+
+impl SessionReport {
+    /// What it says of the run.
+    #[must_use]
+    pub fn run(&self) -> RunInfo<'_> {
+        RunInfo { session: &self.session, settings: &self.settings, preset: &self.preset }
+    }
 }
 
 /// Everything the report of one trial is made from.

@@ -29,7 +29,7 @@ pub(super) fn text(report: &SessionReport, names: &BTreeSet<String>, missing: &[
         let list: Vec<String> = missing.iter().map(u32::to_string).collect();
         text += &format!("\nThe log no longer holds the ticks of trials {}.\n", list.join(", "));
     }
-    text += &format!("\nRun it again\n  {}\n", repeat_command(report));
+    text += &format!("\nRun it again\n  {}\n", repeat_command(report.run()));
     text += "  The same build gives the same trials to the bit.\n";
     text += &format!("\nColumns (format version {FORMAT_VERSION})\n");
     text += "Lengths are metres, angles degrees; a cell without a value is empty.\n\n";

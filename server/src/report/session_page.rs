@@ -225,7 +225,7 @@ fn differences(report: &SessionReport) -> Markup {
                 "too, so that what was not used can be seen. Properties of the simulation are listed "
                 "apart, below the readings."
             }
-            (differences_tables(&Differences::of(report)))
+            (differences_tables(&Differences::of(report.run())))
         }
     }
 }
@@ -234,7 +234,7 @@ fn settings(report: &SessionReport) -> Markup {
     html! {
         section {
             h2 { "Settings" }
-            (settings_table(report))
+            (settings_table(report.run()))
             (preset_table(&report.preset))
         }
     }
@@ -246,7 +246,7 @@ fn repeat(report: &SessionReport) -> Markup {
     html! {
         section {
             h2 { "How to repeat this run" }
-            pre { code { (repeat_command(report)) } }
+            pre { code { (repeat_command(report.run())) } }
             p class="note" {
                 "The same build (" code { (session.build) } ") gives the same trials to the bit, at "
                 "any pace. "

@@ -2,10 +2,10 @@
 
 use maud::{Markup, html};
 
-use super::SessionReport;
 use super::differences::{Difference, Differences, same_value};
 use super::number::{NOTHING, fixed, fixed_or_nothing, time_text, value_for_people};
 use super::page::{Heading, number, numbers, table, words};
+use super::{RunInfo, SessionReport};
 use crate::wire::{AlteredStartView, ExcursionView, LogEntry, PresetInfo, SettingInfo, Trial};
 
 /// One row a trial.
@@ -141,7 +141,7 @@ fn difference_table(caption: &str, group: &[Difference]) -> Markup {
 }
 
 /// Every setting with its value.
-pub(super) fn settings_table(report: &SessionReport) -> Markup {
+pub(super) fn settings_table(run: RunInfo) -> Markup {
     const HEADINGS: [Heading; 6] = [
         words("Setting"),
         words("Value"),
@@ -151,8 +151,8 @@ pub(super) fn settings_table(report: &SessionReport) -> Markup {
         words("Standing"),
     ];
     let rows = html! {
-        @for (key, value) in &report.session.settings {
-            @let info = report.settings.iter().find(|info| info.key == *key);
+        @for (key, value) in &run.session.settings {
+            @let info = run.settings.iter().find(|info| info.key == *key);
             tr {
                 td { code { (key) } }
                 td { (value_for_people(value)) (unit(info.map_or("", |info| &info.unit))) }
@@ -163,7 +163,7 @@ pub(super) fn settings_table(report: &SessionReport) -> Markup {
             }
         }
     };
-    let (changed, all) = (report.session.changed.len(), report.session.settings.len());
+    let (changed, all) = (run.session.changed.len(), run.session.settings.len());
     let caption = format!("Every setting of this run; {changed} of {all} changed from the default");
     table("settings", &caption, &HEADINGS, rows)
 }

@@ -35,17 +35,17 @@ impl Scenery {
         self.empty.clone()
     }
 
-    /// The present of a session.
+    /// The present of a robot's session.
     #[must_use]
     pub fn live(&self, snapshot: &Snapshot) -> ArenaView {
-        let paths = &snapshot.paths;
-        let tick = snapshot.tick.as_deref();
+        let Some(present) = snapshot.present.path() else { return self.empty() };
+        let (paths, tick) = (&present.paths, present.tick.as_deref());
         ArenaView {
             earlier_paths_m: paths.earlier.iter().map(|path| path.to_vec()).collect(),
             best_path_m: paths.best.as_deref().cloned().unwrap_or_default(),
             path_m: paths.present.clone(),
             collisions_m: paths.collisions.clone(),
-            neurons: self.neurons(&snapshot.neurons, tick.and_then(|tick| tick.neuron)),
+            neurons: self.neurons(&present.neurons, tick.and_then(|tick| tick.neuron)),
             robot: tick.map(|tick| self.robot(tick)),
             caption: tick.map_or_else(|| "Not started".into(), caption),
             ..self.empty()

@@ -8,10 +8,10 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use axum::extract::ws::Utf8Bytes;
 use tokio::sync::watch;
 
-use super::paths::Paths;
+use super::present::Present;
 use crate::wire::{
-    CurvePoint, HELLO_TRIALS, Hello, LogEntry, NeuronView, STREAM_VERSION, ServerMessage, Session,
-    TickView, Trial, WorldView, Yardstick,
+    CurvePoint, EpisodeView, HELLO_EPISODES, HELLO_TRIALS, Hello, LogEntry, Round, STREAM_VERSION,
+    ScoresView, ServerMessage, Session, TaskView, Trial, WorldView, Yardstick,
 };
 
 /// Events a late client can still catch up on.
@@ -24,19 +24,24 @@ const LOG_LINES: usize = 500;
 pub struct Snapshot {
     /// The session.
     pub session: Session,
-    /// The last control step, if there was one.
-    pub tick: Option<Arc<TickView>>,
-    /// All neurons, without their centres.
-    pub neurons: Arc<Vec<NeuronView>>,
-    /// Where the robot has been.
-    pub paths: Paths,
+    /// What changes with every step.
+    pub present: Present,
+}
+
+/// Where a session takes place.
+#[derive(Clone, Debug)]
+pub enum Scene {
+    /// A robot's world.
+    World(Arc<WorldView>),
+    /// The world of a tabular experiment.
+    Task(Arc<TaskView>),
 }
 
 /// What happened since the last snapshot.
 #[derive(Debug, Default)]
 pub struct News {
-    /// Trials that ended.
-    pub trials: Vec<Trial>,
+    /// Rounds that ended.
+    pub rounds: Vec<Round>,
     /// Lines for the event log.
     pub log: Vec<LogEntry>,
     /// The session's state, pace or progress changed.
@@ -65,7 +70,7 @@ pub enum Missed {
 
 /// One session's public face.
 pub struct Feed {
-    world: Arc<WorldView>,
+    scene: Scene,
     inner: Mutex<Inner>,
     changed: watch::Sender<u64>,
     viewers: AtomicUsize,
@@ -74,7 +79,7 @@ pub struct Feed {
 struct Inner {
     snapshot: Arc<Snapshot>,
     yardstick: Yardstick,
-    trials: Vec<Arc<Trial>>,
+    rounds: Vec<Arc<Round>>,
     log: VecDeque<LogEntry>,
     ring: VecDeque<Event>,
     seq: u64,
@@ -83,23 +88,18 @@ struct Inner {
 impl Feed {
     /// A feed over what is already known of a session.
     #[must_use]
-    pub fn new(
-        world: Arc<WorldView>,
-        snapshot: Snapshot,
-        trials: Vec<Trial>,
-        log: Vec<LogEntry>,
-    ) -> Self {
+    pub fn new(scene: Scene, snapshot: Snapshot, rounds: Vec<Round>, log: Vec<LogEntry>) -> Self {
         let surplus = log.len().saturating_sub(LOG_LINES);
         let inner = Inner {
             snapshot: Arc::new(snapshot),
             yardstick: Yardstick::Computing,
-            trials: trials.into_iter().map(Arc::new).collect(),
+            rounds: rounds.into_iter().map(Arc::new).collect(),
             log: log.into_iter().skip(surplus).collect(),
             ring: VecDeque::new(),
             seq: first_seq(),
         };
         Self {
-            world,
+            scene,
             inner: Mutex::new(inner),
             changed: watch::Sender::new(1),
             viewers: AtomicUsize::new(0),
@@ -112,16 +112,10 @@ impl Feed {
         self.lock().snapshot.clone()
     }
 
-    /// The world the session runs in.
+    /// All rounds so far.
     #[must_use]
-    pub fn world(&self) -> &Arc<WorldView> {
-        &self.world
-    }
-
-    /// All trials so far.
-    #[must_use]
-    pub fn trials(&self) -> Vec<Arc<Trial>> {
-        self.lock().trials.clone()
+    pub fn rounds(&self) -> Vec<Arc<Round>> {
+        self.lock().rounds.clone()
     }
 
     /// Number of the last event.
@@ -133,22 +127,34 @@ impl Feed {
     /// The first message for a new client: state and history.
     #[must_use]
     pub fn hello(&self) -> Hello {
-        let (seq, snapshot, yardstick, trials, log) = {
+        let (seq, snapshot, yardstick, rounds, log) = {
             let inner = self.lock();
             let log: Vec<LogEntry> = inner.log.iter().cloned().collect();
-            let newest = inner.trials.len().saturating_sub(HELLO_TRIALS);
-            let trials = inner.trials[newest..].to_vec();
-            (inner.seq, inner.snapshot.clone(), inner.yardstick.clone(), trials, log)
+            let newest = inner.rounds.len().saturating_sub(HELLO_TRIALS);
+            let rounds = inner.rounds[newest..].to_vec();
+            (inner.seq, inner.snapshot.clone(), inner.yardstick.clone(), rounds, log)
+        };
+        let episodes: Vec<&EpisodeView> =
+            rounds.iter().filter_map(|round| round.episode()).collect();
+        let newest = episodes.len().saturating_sub(HELLO_EPISODES);
+        let (path, table) = (snapshot.present.path(), snapshot.present.table());
+        let (world, task) = match &self.scene {
+            Scene::World(world) => (Some(WorldView::clone(world)), None),
+            Scene::Task(task) => (None, Some(TaskView::clone(task))),
         };
         Hello {
             version: STREAM_VERSION,
             seq,
             session: snapshot.session.clone(),
-            world: WorldView::clone(&self.world),
-            yardstick,
-            trials: trials.iter().map(|trial| Trial::clone(trial)).collect(),
-            neurons: snapshot.neurons.to_vec(),
-            tick: snapshot.tick.as_deref().cloned().map(Box::new),
+            yardstick: world.is_some().then_some(yardstick),
+            world,
+            task,
+            table: table.and_then(|table| table.table.as_deref().cloned()),
+            scores: table.map(|table| ScoresView::clone(&table.scores)),
+            episodes: episodes[newest..].iter().map(|episode| (*episode).clone()).collect(),
+            trials: rounds.iter().filter_map(|round| round.trial().cloned()).collect(),
+            neurons: path.map(|path| path.neurons.to_vec()).unwrap_or_default(),
+            tick: path.and_then(|path| path.tick.as_deref().cloned()).map(Box::new),
             log,
         }
     }
@@ -193,7 +199,7 @@ impl Feed {
     /// Shows a new present and tells what led to it, all at once: nobody sees one without the other.
     pub fn publish(&self, snapshot: Snapshot, news: News) {
         let mut inner = self.lock();
-        inner.tell_trials(news.trials);
+        inner.tell_rounds(news.rounds, &snapshot.present);
         inner.tell_log(news.log);
         if news.state {
             let session = Box::new(snapshot.session.clone());
@@ -207,8 +213,10 @@ impl Feed {
     /// Tells of the best path that a planner found, and what the trials before it regret.
     pub fn measure(&self, yardstick: Yardstick) {
         let mut inner = self.lock();
-        for trial in &mut inner.trials {
-            *trial = Arc::new(yardstick.mark(Trial::clone(trial)));
+        for round in &mut inner.rounds {
+            if let Round::Trial(trial) = &**round {
+                *round = Arc::new(Round::Trial(Box::new(yardstick.mark(Trial::clone(trial)))));
+            }
         }
         inner.yardstick = yardstick.clone();
         inner.push(|seq| ServerMessage::Yardstick { seq, yardstick: Box::new(yardstick) });
@@ -222,14 +230,14 @@ impl Feed {
         self.lock().yardstick.clone()
     }
 
-    /// Keeps the first trials only, because the rest is about to be done again. What clients hold is
+    /// Keeps the first rounds only, because the rest is about to be done again. What clients hold is
     /// void, so the events before are given up and every client gets a new `hello`.
-    pub fn rewind(&self, trials_done: u32) -> Vec<Arc<Trial>> {
+    pub fn rewind(&self, rounds_done: u32) -> Vec<Arc<Round>> {
         let mut inner = self.lock();
-        inner.trials.truncate(trials_done as usize);
+        inner.rounds.truncate(rounds_done as usize);
         inner.ring.clear();
         inner.seq += 1;
-        inner.trials.clone()
+        inner.rounds.clone()
     }
 
     fn lock(&self) -> MutexGuard<'_, Inner> {
@@ -238,16 +246,30 @@ impl Feed {
 }
 
 impl Inner {
-    fn tell_trials(&mut self, trials: Vec<Trial>) {
-        if trials.is_empty() {
-            return;
+    fn tell_rounds(&mut self, rounds: Vec<Round>, present: &Present) {
+        let (mut trials, mut episodes) = (Vec::new(), Vec::new());
+        for round in rounds {
+            match round {
+                Round::Trial(trial) => trials.push(self.yardstick.mark(*trial)),
+                Round::Episode(episode) => episodes.push(*episode),
+            }
         }
-        let trials: Vec<Trial> =
-            trials.into_iter().map(|trial| self.yardstick.mark(trial)).collect();
-        let points = trials.iter().map(CurvePoint::from).collect();
-        self.trials.extend(trials.iter().cloned().map(Arc::new));
-        self.push(|seq| ServerMessage::Trial { seq, trials });
-        self.push(|seq| ServerMessage::Curve { seq, points });
+        if !trials.is_empty() {
+            let points = trials.iter().map(CurvePoint::from).collect();
+            let rounds = trials.iter().map(|trial| Round::Trial(Box::new(trial.clone())));
+            self.rounds.extend(rounds.map(Arc::new));
+            self.push(|seq| ServerMessage::Trial { seq, trials });
+            self.push(|seq| ServerMessage::Curve { seq, points });
+        }
+        if !episodes.is_empty() {
+            let rounds = episodes.iter().map(|episode| Round::Episode(Box::new(episode.clone())));
+            self.rounds.extend(rounds.map(Arc::new));
+            self.push(|seq| ServerMessage::Episode { seq, episodes });
+            if let Some(table) = present.table() {
+                let scores = ScoresView::clone(&table.scores);
+                self.push(|seq| ServerMessage::Scores { seq, scores });
+            }
+        }
     }
 
     fn tell_log(&mut self, entries: Vec<LogEntry>) {

@@ -1,15 +1,19 @@
 //! A session that nobody runs, as the store knows it: from its first row to what viewers see of it.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::arena::world_view;
-use super::feed::{Feed, Snapshot};
+use super::feed::{Feed, Scene, Snapshot};
+use super::machine::Machine;
 use super::paths::Paths;
+use super::present::{PathPresent, Present, TablePresent};
 use super::state::Condition;
-use crate::catalog::Plan;
+use super::table_view::task_view;
+use crate::catalog::{FieldError, Job, TablePlan};
 use crate::clock;
 use crate::store::{LogHeader, SessionRow, Store, StoreError};
-use crate::wire::{NeuronView, Session, State, TickView, Trial};
+use crate::wire::{Family, NeuronView, Session, State, TickView, Trial};
 
 /// Letters and digits of identifiers: none that is easily taken for another.
 const ALPHABET: &[u8] = b"abcdefghjkmnpqrstuvwxyz23456789";
@@ -25,7 +29,7 @@ pub(super) fn session(
     row: SessionRow,
     changed: Vec<String>,
 ) -> Result<Session, StoreError> {
-    let trials = store.trials(&row.id)?;
+    let rounds = store.rounds(&row.id)?;
     let checkpoint = row.state == State::Failed && store.checkpoint(&row.id)?.is_some();
     let condition = Condition { state: row.state, waiting: false, checkpoint };
     let mut session = Session {
@@ -39,8 +43,11 @@ pub(super) fn session(
         world: row.world,
         settings: row.settings,
         changed,
-        trials: row.trials,
-        trials_done: row.trials_done,
+        family: row.family,
+        trials: row.trials_each,
+        trials_done: 0,
+        rounds: row.rounds,
+        rounds_done: 0,
         reached: 0,
         best: None,
         tick: row.tick,
@@ -49,23 +56,62 @@ pub(super) fn session(
         created_at: row.created_at,
         changed_at: row.changed_at,
     };
-    session.count(&trials);
+    session.count(&rounds);
     Ok(session)
 }
 
 /// What viewers see of a stored session.
-pub(super) fn feed(store: &Store, plan: &Plan, session: Session) -> Result<Feed, StoreError> {
+pub(super) fn feed(store: &Store, job: &Job, session: Session) -> Result<Feed, StoreError> {
     let id = session.id.clone();
-    let trials = store.trials(&id)?;
-    let ticks = last_ticks(store, &session)?;
-    let snapshot = Snapshot {
-        paths: paths(&trials, &ticks),
-        neurons: Arc::new(neurons(store, &id, trials.last())?),
-        tick: ticks.into_iter().last().map(Arc::new),
-        session,
+    let rounds = store.rounds(&id)?;
+    let (scene, present) = match job {
+        Job::Path(plan) => {
+            let trials = store.trials(&id)?;
+            let ticks = last_ticks(store, &session)?;
+            let present = PathPresent {
+                paths: paths(&trials, &ticks),
+                neurons: Arc::new(neurons(store, &id, trials.last())?),
+                tick: ticks.into_iter().last().map(Arc::new),
+            };
+            (Scene::World(Arc::new(world_view(plan))), Present::Path(present))
+        }
+        Job::Table(plan) => {
+            let present = table_present(store, plan, job, &session)?;
+            (Scene::Task(Arc::new(task_view(plan))), Present::Table(present))
+        }
     };
     let log = store.events(&id, LINES)?;
-    Ok(Feed::new(Arc::new(world_view(plan)), snapshot, trials, log))
+    Ok(Feed::new(scene, Snapshot { session, present }, rounds, log))
+}
+
+/// A tabular session as its last checkpoint left it, and its last step.
+fn table_present(
+    store: &Store,
+    plan: &TablePlan,
+    job: &Job,
+    session: &Session,
+) -> Result<TablePresent, StoreError> {
+    let steps = match session.tick {
+        0 => Vec::new(),
+        last => store.steps(&session.id, last, last)?,
+    };
+    let machine = match store.checkpoint(&session.id)? {
+        Some(stored) => Machine::resume(job, &stored),
+        None => Machine::new(job),
+    };
+    let step = steps.into_iter().next().map(Arc::new);
+    let mut present = Present::Table(TablePresent { step, ..TablePresent::default() });
+    match machine {
+        Ok(mut machine) => {
+            present.look(&mut machine);
+            present.count(&machine);
+        }
+        // Its reset says so; what was logged can be seen all the same.
+        Err(FieldError { message, .. }) => {
+            tracing::warn!("session {} of {}: {message}", session.id, plan.experiment);
+        }
+    }
+    Ok(present.table().cloned().unwrap_or_default())
 }
 
 fn last_ticks(store: &Store, session: &Session) -> Result<Vec<TickView>, StoreError> {
@@ -97,26 +143,54 @@ fn paths(trials: &[Trial], ticks: &[TickView]) -> Paths {
 }
 
 /// The row of a session that has just been thought of.
-pub(crate) fn new_row(plan: &Plan) -> SessionRow {
+///
+/// # Errors
+/// When the plan contradicts itself.
+pub(crate) fn new_row(job: &Job) -> Result<SessionRow, FieldError> {
     let now = clock::now();
-    SessionRow {
+    let row = SessionRow {
         id: new_id(),
-        experiment: plan.experiment.clone(),
-        seed: plan.seed,
-        preset: plan.preset.clone(),
-        world: plan.world.name.clone(),
-        world_text: plan.world.text.clone(),
-        settings: plan.values.clone(),
-        trials: plan.trials,
-        speed: plan.speed,
+        family: Family::Path,
+        experiment: String::new(),
+        seed: 0,
+        preset: String::new(),
+        world: String::new(),
+        world_text: String::new(),
+        settings: BTreeMap::new(),
+        trials_each: 0,
+        rounds: job.rounds()?,
+        speed: job.speed(),
         build: crate::build(),
         state: State::Queued,
         reason: None,
         created_at: now.clone(),
         changed_at: now,
         tick: 0,
-        trials_done: 0,
-    }
+        rounds_done: 0,
+    };
+    Ok(match job {
+        Job::Path(plan) => SessionRow {
+            experiment: plan.experiment.clone(),
+            seed: plan.seed,
+            preset: plan.preset.clone(),
+            world: plan.world.name.clone(),
+            world_text: plan.world.text.clone(),
+            settings: plan.values.clone(),
+            trials_each: plan.trials,
+            ..row
+        },
+        Job::Table(plan) => SessionRow {
+            family: Family::Table,
+            experiment: plan.experiment.clone(),
+            seed: plan.seed,
+            preset: plan.preset.clone(),
+            world: plan.world_name().to_owned(),
+            world_text: plan.task.as_ref().map(|task| task.text.clone()).unwrap_or_default(),
+            settings: plan.values.clone(),
+            trials_each: plan.trials,
+            ..row
+        },
+    })
 }
 
 /// What a session's log begins with.
@@ -125,7 +199,7 @@ pub(crate) fn log_header(row: &SessionRow, network_text: Option<String>) -> LogH
         experiment: row.experiment.clone(),
         seed: row.seed,
         settings: row.settings.clone(),
-        trials: row.trials,
+        trials: row.trials_each,
         build: row.build.clone(),
         world_text: row.world_text.clone(),
         network_text,

@@ -13,14 +13,17 @@ use tokio::sync::oneshot;
 use super::actor::{Actor, Command, ControlError};
 use super::feed::Feed;
 use super::history;
+use super::machine::Machine;
 use super::run::Run;
 use super::slots::Slots;
 use super::starts::check_starts;
 use super::state::{Control, name};
-use crate::catalog::{Catalog, FieldError, Plan, Trained};
+use super::table_run::Intervention;
+use crate::catalog::{Catalog, FieldError, Job, Plan, Trained};
 use crate::store::{SessionRow, Store, StoreError};
 use crate::wire::{
-    Ack, AlteredStartView, LogEntry, NeuronView, NewSession, Session, StartView, State, Yardstick,
+    Ack, AlteredStartView, LogEntry, NeuronView, NewSession, Session, StartView, State, TableFile,
+    Yardstick,
 };
 use crate::yardstick;
 
@@ -128,14 +131,16 @@ impl Lab {
     /// The first field that cannot be taken, or the disk's refusal.
     pub fn create(&self, request: &NewSession) -> Result<Session, LabError> {
         let request = self.with_network(request)?;
-        let plan = self.catalog().resolve(&request)?;
-        Run::new(&plan)?;
-        let row = history::new_row(&plan);
-        if let Some(network) = &plan.network {
+        let job = self.catalog().job(&request)?;
+        Machine::new(&job)?;
+        let row = history::new_row(&job)?;
+        if let Job::Path(plan) = &job
+            && let Some(network) = &plan.network
+        {
             self.store().keep_network(&row.id, &network.text)?;
         }
         self.store().insert_session(&row)?;
-        Ok(history::session(self.store(), row, plan.changed)?)
+        Ok(history::session(self.store(), row, job.changed().to_vec())?)
     }
 
     /// The request with the networks of a session in the place of its identifier.
@@ -201,7 +206,52 @@ impl Lab {
     /// # Errors
     /// When there is none of that name, or this program no longer knows its settings.
     pub fn plan(&self, id: &str) -> Result<Plan, LabError> {
+        match self.job(id)? {
+            Job::Path(plan) => Ok(*plan),
+            Job::Table(plan) => Err(LabError::Field(FieldError::new(
+                "experiment",
+                format!("a session of `{}` has no robot, arena or networks", plan.experiment),
+            ))),
+        }
+    }
+
+    /// What a stored session runs, in its own world.
+    ///
+    /// # Errors
+    /// When there is none of that name, or this program no longer knows its settings.
+    pub fn job(&self, id: &str) -> Result<Job, LabError> {
         self.restore(&self.row(id)?)
+    }
+
+    /// Does something to the learner of a tabular session under way.
+    ///
+    /// # Errors
+    /// When nothing is under way, or the field that is wrong; nothing is changed then.
+    pub async fn intervene(&self, id: &str, what: Intervention) -> Result<Ack, ControlError> {
+        let (reply, answer) = oneshot::channel();
+        if self.tell(id, Command::Intervene(what, reply)) {
+            return answer.await.map_err(|_| ControlError::Gone)?;
+        }
+        Err(ControlError::NotUnderWay { state: self.session(id)?.state })
+    }
+
+    /// The table of the learner whose turn it is, or as the last checkpoint left it.
+    ///
+    /// # Errors
+    /// When there is no such session, or its learner has no table of its own.
+    pub async fn table(&self, id: &str) -> Result<TableFile, LabError> {
+        let (reply, answer) = oneshot::channel();
+        if self.tell(id, Command::Table(reply))
+            && let Ok(Some(table)) = answer.await
+        {
+            return Ok(table?);
+        }
+        let job = self.job(id)?;
+        let machine = match self.store().checkpoint(id)? {
+            Some(stored) => Machine::resume(&job, &stored)?,
+            None => Machine::new(&job)?,
+        };
+        Ok(machine.table_file(&job)?)
     }
 
     /// Asks something of a session and waits until it has taken effect.
@@ -230,9 +280,9 @@ impl Lab {
             return Ok(Some(neuron));
         }
         // A session at rest is as its last checkpoint left it.
-        let plan = self.plan(id)?;
+        let job = self.job(id)?;
         let Some(stored) = self.store().checkpoint(id)? else { return Ok(None) };
-        Ok(Run::resume(&plan, &stored).ok().and_then(|run| run.neuron(number)))
+        Ok(Machine::resume(&job, &stored).ok().and_then(|machine| machine.neuron(number)))
     }
 
     /// What a session's networks do from altered starts, as its last finished trial left them: from
@@ -378,7 +428,7 @@ impl Lab {
             return Ok(session.clone());
         }
         // A session this program cannot run can still be listed.
-        let changed = self.restore(&row).map(|plan| plan.changed).unwrap_or_default();
+        let changed = self.restore(&row).map(|job| job.changed().to_vec()).unwrap_or_default();
         let session = history::session(self.store(), row, changed)?;
         desk.session = Some(session.clone());
         Ok(session)
@@ -393,15 +443,17 @@ impl Lab {
         if let Some(feed) = desks.get(&id).and_then(|desk| desk.feed.upgrade()) {
             return Ok(feed);
         }
-        let plan = self.restore(&row)?;
+        let job = self.restore(&row)?;
         let session = self.look(desks, row)?;
-        let feed = Arc::new(history::feed(self.store(), &plan, session)?);
-        measure(&feed, plan);
+        let feed = Arc::new(history::feed(self.store(), &job, session)?);
+        if let Job::Path(plan) = job {
+            measure(&feed, *plan);
+        }
         desks.entry(id).or_default().feed = Arc::downgrade(&feed);
         Ok(feed)
     }
 
-    fn restore(&self, row: &SessionRow) -> Result<Plan, LabError> {
+    fn restore(&self, row: &SessionRow) -> Result<Job, LabError> {
         let network = self.store().network(&row.id)?;
         Ok(self.catalog().restore(row, network.as_deref())?)
     }

@@ -18,29 +18,38 @@ mod arena;
 mod feed;
 mod history;
 mod lab;
+mod machine;
 mod pace;
 mod paths;
 mod prepare;
+mod present;
 mod reporting;
 mod run;
 mod slots;
 mod starts;
 mod state;
+mod table_run;
+mod table_view;
 mod view;
 
 #[cfg(test)]
 mod network_tests;
 #[cfg(test)]
+mod table_tests;
+#[cfg(test)]
 mod tests;
 
 pub use actor::ControlError;
 pub use arena::{Scenery, empty_arena, world_view};
-pub use feed::{Event, Feed, Missed, News, Snapshot, Viewer, text};
+pub use feed::{Event, Feed, Missed, News, Scene, Snapshot, Viewer, text};
 pub(crate) use history::{log_header, new_row};
 pub use lab::{Lab, LabError};
 pub use paths::Paths;
+pub use present::{PathPresent, Present, TablePresent};
 pub use reporting::{ReportError, Reporter, summary};
 pub use run::{Run, Stepped};
 pub use starts::{MOST_STARTS, check_starts, starts_arena};
 pub use state::{Condition, Control, Refused, name as state_name};
+pub use table_run::{Intervention, TableRun};
+pub use table_view::task_view;
 pub use view::Names;

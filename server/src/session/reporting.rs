@@ -6,11 +6,11 @@ use super::paths::Paths;
 use super::starts::starts_arena;
 use crate::catalog::Plan;
 use crate::render::{ArenaView, Quality, RenderError, Renderer};
-use crate::report::{Picture, SessionReport, TrialReport};
+use crate::report::{Picture, SessionReport, TableReport, TrialReport};
 use crate::store::StoreError;
 use crate::wire::{
-    AlteredStartView, PresetInfo, Session, Summary, ThemeName, TickView, Trial, TrialEndView,
-    Yardstick,
+    AlteredStartView, Family, PresetInfo, Round, ScoresView, Session, Summary, ThemeName, TickView,
+    Trial, TrialEndView, Yardstick,
 };
 use crate::yardstick;
 
@@ -79,6 +79,34 @@ impl Reporter<'_> {
             session,
             trials,
         })
+    }
+
+    /// Everything the report of a tabular session is made from; none for a robot's session.
+    ///
+    /// # Errors
+    /// When the session cannot be read.
+    pub fn table(&self, id: &str) -> Result<Option<TableReport>, ReportError> {
+        let session = self.lab.session(id)?;
+        if session.family == Family::Path {
+            return Ok(None);
+        }
+        let feed = self.lab.feed(id)?;
+        let rounds = self.lab.store().rounds(id)?.into_iter();
+        let episode = |round| match round {
+            Round::Episode(episode) => Some(*episode),
+            Round::Trial(_) => None,
+        };
+        let present = feed.snapshot().present.table().cloned().unwrap_or_default();
+        Ok(Some(TableReport {
+            title: self.title(&session),
+            scores: ScoresView::clone(&present.scores),
+            episodes: rounds.filter_map(episode).collect(),
+            settings: self.experiment(&session).map(|e| e.settings.clone()).unwrap_or_default(),
+            preset: self.preset(&session),
+            events: self.lab.store().events(id, LINES)?,
+            build: crate::build(),
+            session,
+        }))
     }
 
     /// Everything the report of a trial is made from.

@@ -122,7 +122,7 @@ async fn a_reset_puts_the_log_aside_and_begins_anew() {
         assert_eq!(house.lab().store().trials(&id).expect("readable"), undisturbed(2));
         let ack = house.control(&id, Reset).await;
         assert_eq!((ack.state, ack.tick), (State::Queued, 0));
-        assert!(house.lab().feed(&id).expect("a feed").trials().is_empty());
+        assert!(house.lab().feed(&id).expect("a feed").rounds().is_empty());
     }
     let folder = house.lab().store().session_folder(&id);
     assert!(folder.join("log-1.mcap").exists() && folder.join("log-2.mcap").exists());

@@ -1,7 +1,7 @@
 //! What the index knows about one chunk of a log.
 
 use super::record::{RawMessage, Topic};
-use crate::wire::{LogEntry, TickView, Trial, TrialEndView};
+use crate::wire::{EpisodeView, LogEntry, Round, StepView, TickView, TrialEndView};
 use serde::Deserialize;
 
 /// Where a chunk lies and what is in it.
@@ -19,10 +19,10 @@ pub(super) struct Chunk {
 pub(super) struct Contents {
     /// First and last tick, if there are any.
     pub(super) ticks: Option<(u64, u64)>,
-    /// First and last trial that a tick or a trial's end belongs to.
+    /// First and last round that a tick or a round's end belongs to.
     pub(super) in_trials: Option<(u32, u32)>,
-    /// Rows of the trials that end here.
-    pub(super) trials: Vec<Trial>,
+    /// Rows of the rounds that end here.
+    pub(super) rounds: Vec<Round>,
     /// Events.
     pub(super) events: Vec<LogEntry>,
 }
@@ -34,6 +34,13 @@ struct TickNumbers {
     trial: u32,
 }
 
+/// The start of a tabular step.
+#[derive(Deserialize)]
+struct StepNumbers {
+    tick: u64,
+    round: u32,
+}
+
 impl Contents {
     pub(super) fn add_tick(&mut self, tick: &TickView) {
         self.add_tick_numbers(tick.tick, tick.trial);
@@ -41,7 +48,16 @@ impl Contents {
 
     pub(super) fn add_trial_end(&mut self, end: &TrialEndView) {
         self.add_trial(end.trial.trial);
-        self.trials.push(end.trial.clone());
+        self.rounds.push(Round::Trial(Box::new(end.trial.clone())));
+    }
+
+    pub(super) fn add_step(&mut self, step: &StepView) {
+        self.add_tick_numbers(step.tick(), step.round());
+    }
+
+    pub(super) fn add_episode(&mut self, episode: &EpisodeView) {
+        self.add_trial(episode.round);
+        self.rounds.push(Round::Episode(Box::new(episode.clone())));
     }
 
     pub(super) fn add_event(&mut self, entry: &LogEntry) {
@@ -52,15 +68,21 @@ impl Contents {
     /// are looked at.
     pub(super) fn of_messages(messages: &[RawMessage]) -> serde_json::Result<Self> {
         let mut contents = Self::default();
-        let ticks = || messages.iter().filter(|message| message.topic == Topic::Tick);
+        let ticks = || messages.iter().filter(|message| message.topic.is_tick());
         for message in ticks().next().into_iter().chain(ticks().next_back()) {
-            let numbers: TickNumbers = serde_json::from_slice(&message.data)?;
-            contents.add_tick_numbers(numbers.tick, numbers.trial);
+            if message.topic == Topic::Tick {
+                let numbers: TickNumbers = serde_json::from_slice(&message.data)?;
+                contents.add_tick_numbers(numbers.tick, numbers.trial);
+            } else {
+                let numbers: StepNumbers = serde_json::from_slice(&message.data)?;
+                contents.add_tick_numbers(numbers.tick, numbers.round);
+            }
         }
         for message in messages {
             match message.topic {
-                Topic::Session | Topic::Tick => {}
+                Topic::Session | Topic::Tick | Topic::Step => {}
                 Topic::Trial => contents.add_trial_end(&serde_json::from_slice(&message.data)?),
+                Topic::Episode => contents.add_episode(&serde_json::from_slice(&message.data)?),
                 Topic::Event => contents.events.push(serde_json::from_slice(&message.data)?),
             }
         }

@@ -7,12 +7,12 @@ use rusqlite::{OptionalExtension, Transaction, params};
 use super::chunk::Chunk;
 use super::session_row::{from_text, to_text};
 use super::{Store, StoreError};
-use crate::wire::{LogEntry, Trial};
+use crate::wire::{LogEntry, Round, Trial};
 
 /// The newest state a session can be resumed from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StoredCheckpoint {
-    /// Trials done.
+    /// Rounds done.
     pub trials_done: u32,
     /// Last tick done.
     pub tick: u64,
@@ -40,8 +40,18 @@ impl Store {
         found.optional().map_err(StoreError::index("read a checkpoint"))
     }
 
-    /// The rows of all trials that ended, in order.
+    /// The rows of all trials of a robot that ended, in order.
     pub fn trials(&self, id: &str) -> Result<Vec<Trial>, StoreError> {
+        let rounds = self.rounds(id)?.into_iter();
+        let trial = |round| match round {
+            Round::Trial(trial) => Some(*trial),
+            Round::Episode(_) => None,
+        };
+        Ok(rounds.filter_map(trial).collect())
+    }
+
+    /// The rows of all rounds that ended, in order.
+    pub fn rounds(&self, id: &str) -> Result<Vec<Round>, StoreError> {
         let read = || {
             let database = self.database();
             let mut statement = database
@@ -194,10 +204,10 @@ fn add_chunk(change: &Transaction<'_>, id: &str, chunk: &Chunk) -> rusqlite::Res
             contents.in_trials.map(|(_, last)| last),
         ],
     )?;
-    for trial in &contents.trials {
+    for round in &contents.rounds {
         change
             .prepare_cached("INSERT OR REPLACE INTO trial VALUES (?1, ?2, ?3, ?4, ?5)")?
-            .execute(params![id, trial.trial, to_text(trial), offset, length])?;
+            .execute(params![id, round.number(), to_text(round), offset, length])?;
     }
     for event in &contents.events {
         change
@@ -212,7 +222,7 @@ fn add_chunk(change: &Transaction<'_>, id: &str, chunk: &Chunk) -> rusqlite::Res
         .execute(params![
             id,
             ticks.map(|(_, last)| last),
-            contents.trials.last().map(|trial| trial.trial),
+            contents.rounds.last().map(Round::number),
         ])?;
     Ok(())
 }

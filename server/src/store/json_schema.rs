@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 use utoipa::ToSchema;
 
 use super::record::{LogHeader, Topic};
-use crate::wire::{LogEntry, TickView, TrialEndView};
+use crate::wire::{EpisodeView, LogEntry, StepView, TickView, TrialEndView};
 
 /// Name and text of a channel's JSON schema.
 pub(super) fn of_topic(topic: Topic) -> (String, Vec<u8>) {
@@ -15,6 +15,8 @@ pub(super) fn of_topic(topic: Topic) -> (String, Vec<u8>) {
         Topic::Tick => of_type::<TickView>(),
         Topic::Trial => of_type::<TrialEndView>(),
         Topic::Event => of_type::<LogEntry>(),
+        Topic::Step => of_type::<StepView>(),
+        Topic::Episode => of_type::<EpisodeView>(),
     }
 }
 

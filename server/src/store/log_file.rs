@@ -15,7 +15,7 @@ use serde::Serialize;
 use super::chunk::{Chunk, Contents};
 use super::record::{LogHeader, RawMessage, TICK_NS, Topic};
 use super::{StoreError, json_schema};
-use crate::wire::{LogEntry, TickView, TrialEndView};
+use crate::wire::{EpisodeView, LogEntry, StepView, TickView, TrialEndView};
 
 /// zstd's cheapest ordinary level; its "fast" levels double the size and save no time here.
 const ZSTD_LEVEL: u32 = 1;
@@ -87,6 +87,17 @@ impl LogFile {
         self.encode(Topic::Trial, end.trial.last_tick, sequence, end)
     }
 
+    pub(super) fn write_step(&mut self, step: &StepView) -> Result<(), StoreError> {
+        self.open.add_step(step);
+        self.encode(Topic::Step, step.tick(), low_bits(step.tick()), step)
+    }
+
+    pub(super) fn write_episode(&mut self, episode: &EpisodeView) -> Result<(), StoreError> {
+        self.open.add_episode(episode);
+        let sequence = self.next_sequence();
+        self.encode(Topic::Episode, episode.last_tick, sequence, episode)
+    }
+
     pub(super) fn write_event(&mut self, entry: &LogEntry) -> Result<(), StoreError> {
         self.open.add_event(entry);
         let sequence = self.next_sequence();
@@ -101,7 +112,7 @@ impl LogFile {
     ) -> Result<(), StoreError> {
         for message in messages {
             let sequence = match message.topic {
-                Topic::Tick => low_bits(message.tick),
+                Topic::Tick | Topic::Step => low_bits(message.tick),
                 _ => self.next_sequence(),
             };
             let header = message_header(message.topic, message.tick, sequence);

@@ -2,15 +2,31 @@
 
 use std::ops::{ControlFlow, RangeInclusive};
 
+use serde::de::DeserializeOwned;
+
 use super::read::read_extent;
 use super::record::{LogRecord, RawMessage, Topic};
 use super::{Store, StoreError};
-use crate::wire::{TickView, TrialEndView};
+use crate::wire::{StepView, TickView, TrialEndView};
 
 impl Store {
     /// Ticks `from` to `to`, both included, as far as they have been closed into chunks. It works
     /// while the log is being written.
     pub fn ticks(&self, id: &str, from: u64, to: u64) -> Result<Vec<TickView>, StoreError> {
+        self.parsed(id, from, to)
+    }
+
+    /// The same of a tabular session.
+    pub fn steps(&self, id: &str, from: u64, to: u64) -> Result<Vec<StepView>, StoreError> {
+        self.parsed(id, from, to)
+    }
+
+    fn parsed<T: DeserializeOwned>(
+        &self,
+        id: &str,
+        from: u64,
+        to: u64,
+    ) -> Result<Vec<T>, StoreError> {
         let mut ticks = Vec::new();
         let mut unreadable = None;
         self.each_tick_json(id, from..=to, |tick, json| match serde_json::from_slice(json) {
@@ -52,7 +68,7 @@ impl Store {
         let Some((mut log, extents)) = found else { return Ok(()) };
         let path = self.log_path(id);
         let wanted =
-            |message: &RawMessage| message.topic == Topic::Tick && ticks.contains(&message.tick);
+            |message: &RawMessage| message.topic.is_tick() && ticks.contains(&message.tick);
         for extent in extents {
             for message in read_extent(&mut log, &path, extent)?.iter().filter(|m| wanted(m)) {
                 if take(message.tick, &message.data).is_break() {

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
 
-use crate::wire::{LogEntry, TickView, TrialEndView};
+use crate::wire::{EpisodeView, LogEntry, StepView, TickView, TrialEndView};
 
 /// Log time of one tick, nanoseconds: a tenth of a second, the pace of the real robot, so that a
 /// viewer of MCAP files plays a log as the robot would have driven it.
@@ -25,7 +25,7 @@ pub struct LogHeader {
     /// Every setting with its value, `preset` and `world` included.
     #[schema(value_type = Object)]
     pub settings: BTreeMap<String, Value>,
-    /// Trials asked for.
+    /// Trials asked for; of each episode in a tabular experiment.
     pub trials: u32,
     /// Program version and commit.
     pub build: String,
@@ -41,6 +41,10 @@ pub struct LogHeader {
 pub enum LogRecord {
     /// A control step.
     Tick(Box<TickView>),
+    /// A step of a tabular experiment.
+    Step(Box<StepView>),
+    /// The end of an episode of a tabular experiment.
+    EpisodeEnd(Box<EpisodeView>),
     /// The end of a trial.
     TrialEnd(Box<TrialEndView>),
     /// A line of the event log.
@@ -48,7 +52,7 @@ pub enum LogRecord {
     /// State to resume from, after everything given before it. It goes to the index, not to the
     /// log, and is never read from one.
     Checkpoint {
-        /// Trials done.
+        /// Rounds done.
         trials_done: u32,
         /// Last tick done.
         tick: u64,
@@ -64,10 +68,18 @@ pub(super) enum Topic {
     Tick = 2,
     Trial = 3,
     Event = 4,
+    Step = 5,
+    Episode = 6,
 }
 
 impl Topic {
-    pub(super) const ALL: [Self; 4] = [Self::Session, Self::Tick, Self::Trial, Self::Event];
+    pub(super) const ALL: [Self; 6] =
+        [Self::Session, Self::Tick, Self::Trial, Self::Event, Self::Step, Self::Episode];
+
+    /// It holds ticks, whichever kind of experiment runs.
+    pub(super) fn is_tick(self) -> bool {
+        matches!(self, Self::Tick | Self::Step)
+    }
 
     /// Number of the channel and of its schema.
     pub(super) fn number(self) -> u16 {
@@ -84,6 +96,8 @@ impl Topic {
             Self::Tick => "/tick",
             Self::Trial => "/trial",
             Self::Event => "/event",
+            Self::Step => "/step",
+            Self::Episode => "/episode",
         }
     }
 }
@@ -105,6 +119,8 @@ impl RawMessage {
             Topic::Session => None,
             Topic::Tick => Some(LogRecord::Tick(serde_json::from_slice(&self.data)?)),
             Topic::Trial => Some(LogRecord::TrialEnd(serde_json::from_slice(&self.data)?)),
+            Topic::Step => Some(LogRecord::Step(serde_json::from_slice(&self.data)?)),
+            Topic::Episode => Some(LogRecord::EpisodeEnd(serde_json::from_slice(&self.data)?)),
             Topic::Event => Some(LogRecord::Entry(serde_json::from_slice(&self.data)?)),
         })
     }

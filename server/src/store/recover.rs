@@ -9,7 +9,7 @@ use super::log_file::LogFile;
 use super::read::{Blocks, LogReader};
 use super::record::{LogHeader, RawMessage, Topic};
 use super::{LogWriter, Store, StoreError};
-use crate::wire::State;
+use crate::wire::{Round, State};
 
 /// What a log holds after all.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -137,7 +137,7 @@ fn copy_through(
     while last_tick <= checkpoint_tick {
         let Some(mut block) = blocks.next_block()? else { break };
         block.messages.retain(|message| message.topic != Topic::Session);
-        let is_beyond = |m: &RawMessage| m.topic == Topic::Tick && m.tick > checkpoint_tick;
+        let is_beyond = |m: &RawMessage| m.topic.is_tick() && m.tick > checkpoint_tick;
         let end = block.messages.iter().position(is_beyond);
         block.messages.truncate(end.unwrap_or(block.messages.len()));
         let contents = block.contents().map_err(|e| blocks.damaged(&e.to_string()))?;
@@ -190,8 +190,7 @@ fn next_chunk(blocks: &mut Blocks) -> Result<Option<Chunk>, StoreError> {
 impl Recovered {
     fn add(&mut self, chunk: &Chunk) {
         self.tick = chunk.contents.ticks.map_or(self.tick, |(_, last)| last);
-        self.trials_done =
-            chunk.contents.trials.last().map_or(self.trials_done, |trial| trial.trial);
+        self.trials_done = chunk.contents.rounds.last().map_or(self.trials_done, Round::number);
     }
 }
 

@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::{Store, StoreError};
-use crate::wire::{Speed, State};
+use crate::wire::{Family, Speed, State};
 
 /// A session as it is kept.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,8 +29,12 @@ pub struct SessionRow {
     pub world_text: String,
     /// Every setting with its value.
     pub settings: BTreeMap<String, Value>,
-    /// Trials asked for.
-    pub trials: u32,
+    /// Whether it is a tabular experiment.
+    pub family: Family,
+    /// Trials asked for; of each episode in a tabular experiment.
+    pub trials_each: u32,
+    /// What it goes through: trials, or episodes of one competitor each.
+    pub rounds: u32,
     /// Pace.
     pub speed: Speed,
     /// Program version and commit it runs on.
@@ -45,12 +49,12 @@ pub struct SessionRow {
     pub changed_at: String,
     /// Last tick in the log; brought forward with every chunk that is closed.
     pub tick: u64,
-    /// Trials done according to the log.
-    pub trials_done: u32,
+    /// Rounds done according to the log.
+    pub rounds_done: u32,
 }
 
 const COLUMNS: &str = "id, experiment, seed, preset, world, world_text, settings, trials, speed, \
-     build, state, reason, created_at, changed_at, tick, trials_done";
+     build, state, reason, created_at, changed_at, tick, trials_done, family, rounds";
 
 impl Store {
     /// Adds a session and its folder.
@@ -59,7 +63,7 @@ impl Store {
         fs::create_dir_all(&folder).map_err(|e| StoreError::file("create", &folder, &e))?;
         let sql = format!(
             "INSERT INTO session ({COLUMNS}) VALUES \
-             (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)"
+             (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17, ?18)"
         );
         let values = params![
             row.id,
@@ -69,7 +73,7 @@ impl Store {
             row.world,
             row.world_text,
             to_text(&row.settings),
-            row.trials,
+            row.trials_each,
             to_text(&row.speed),
             row.build,
             to_text(&row.state),
@@ -77,7 +81,9 @@ impl Store {
             row.created_at,
             row.changed_at,
             row.tick.cast_signed(),
-            row.trials_done,
+            row.rounds_done,
+            to_text(&row.family),
+            row.rounds,
         ];
         let inserted = self.database().execute(&sql, values);
         inserted.map_err(StoreError::index("add a session"))?;
@@ -173,7 +179,7 @@ fn session_row(row: &Row<'_>) -> rusqlite::Result<SessionRow> {
         world: row.get(4)?,
         world_text: row.get(5)?,
         settings: from_text(row, 6)?,
-        trials: row.get(7)?,
+        trials_each: row.get(7)?,
         speed: from_text(row, 8)?,
         build: row.get(9)?,
         state: from_text(row, 10)?,
@@ -181,7 +187,9 @@ fn session_row(row: &Row<'_>) -> rusqlite::Result<SessionRow> {
         created_at: row.get(12)?,
         changed_at: row.get(13)?,
         tick: row.get::<_, i64>(14)?.cast_unsigned(),
-        trials_done: row.get(15)?,
+        rounds_done: row.get(15)?,
+        family: from_text(row, 16)?,
+        rounds: row.get(17)?,
     })
 }
 

@@ -254,6 +254,8 @@ impl Desk {
         match record {
             LogRecord::Tick(tick) => self.log.write_tick(&tick)?,
             LogRecord::TrialEnd(end) => self.log.write_trial_end(&end)?,
+            LogRecord::Step(step) => self.log.write_step(&step)?,
+            LogRecord::EpisodeEnd(episode) => self.log.write_episode(&episode)?,
             LogRecord::Entry(entry) => self.log.write_event(&entry)?,
             LogRecord::Checkpoint { trials_done, tick, bytes } => {
                 self.checkpoint = Some(StoredCheckpoint { trials_done, tick, bytes });

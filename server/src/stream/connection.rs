@@ -10,7 +10,7 @@ use tokio::time::{Instant, interval_at, sleep_until, timeout};
 
 use super::frames::{Channel, Frame, Frames};
 use super::subscription::Subscription;
-use crate::session::{Feed, Missed, Scenery, Snapshot, Viewer, text};
+use crate::session::{Feed, Missed, PathPresent, Present, Scenery, TablePresent, Viewer, text};
 use crate::wire::{ArenaRequest, ServerMessage};
 
 /// A client that takes longer to accept one message is let go.
@@ -36,7 +36,7 @@ pub enum Goodbye {
 pub async fn serve(
     socket: WebSocket,
     feed: Arc<Feed>,
-    scenery: Arc<Scenery>,
+    scenery: Option<Arc<Scenery>>,
     frames: Frames,
     since: Option<u64>,
 ) -> Goodbye {
@@ -52,7 +52,8 @@ pub async fn serve(
 struct Connection {
     socket: WebSocket,
     feed: Arc<Feed>,
-    scenery: Arc<Scenery>,
+    /// What pictures are drawn of; none in a tabular experiment.
+    scenery: Option<Arc<Scenery>>,
     frames: Frames,
     subscription: Subscription,
     /// Number of the last event sent.
@@ -60,6 +61,8 @@ struct Connection {
     tick: Schedule,
     depths: Schedule,
     neurons: Schedule,
+    step: Schedule,
+    table: Schedule,
     arena: Option<Arena>,
     _viewer: Viewer,
 }
@@ -82,7 +85,12 @@ struct Arena {
 }
 
 impl Connection {
-    fn new(socket: WebSocket, feed: Arc<Feed>, scenery: Arc<Scenery>, frames: Frames) -> Self {
+    fn new(
+        socket: WebSocket,
+        feed: Arc<Feed>,
+        scenery: Option<Arc<Scenery>>,
+        frames: Frames,
+    ) -> Self {
         Self {
             _viewer: feed.watch(),
             socket,
@@ -94,6 +102,8 @@ impl Connection {
             tick: Schedule::new(),
             depths: Schedule::new(),
             neurons: Schedule::new(),
+            step: Schedule::new(),
+            table: Schedule::new(),
             arena: None,
         }
     }
@@ -154,7 +164,9 @@ impl Connection {
     fn subscribe_pictures(&mut self) {
         let wish = self.subscription.arena.as_ref().filter(|wish| wish.rate > 0.0);
         let sent = self.arena.as_ref().map_or(0, |arena| arena.sent);
-        self.arena = wish.map(|wish| Arena::new(&self.frames, &self.feed, &self.scenery, wish));
+        self.arena = wish
+            .zip(self.scenery.as_ref())
+            .map(|(wish, scenery)| Arena::new(&self.frames, &self.feed, scenery, wish));
         // The same picture is not sent twice, only because a rate was changed.
         if let Some(arena) = &mut self.arena
             && arena.latest.borrow().version == sent
@@ -188,15 +200,19 @@ impl Connection {
     /// When something subscribed may be sent next, if there is something new.
     fn next_due(&self) -> Option<Instant> {
         let snapshot = self.feed.snapshot();
-        let tick = snapshot.tick.as_ref().map(|tick| tick.tick);
+        let tick = snapshot.present.step();
         let wishes = &self.subscription;
-        let samples = [
+        let of_path = [
             (&self.tick, wishes.tick),
             (&self.depths, wishes.depths),
             (&self.neurons, wishes.neurons),
         ];
-        let samples =
-            samples.into_iter().filter(|(schedule, rate_hz)| schedule.wants(tick, *rate_hz));
+        let of_table = [(&self.step, wishes.step), (&self.table, wishes.table)];
+        let samples = match &snapshot.present {
+            Present::Path(_) => &of_path[..],
+            Present::Table(_) => &of_table[..],
+        };
+        let samples = samples.iter().filter(|(schedule, rate_hz)| schedule.wants(tick, *rate_hz));
         let samples = samples.map(|(schedule, _)| schedule.due);
         let arena = self.arena.as_ref().and_then(|arena| arena.next_due(self.feed.version()));
         samples.chain(arena).min()
@@ -206,19 +222,13 @@ impl Connection {
         let now = Instant::now();
         let snapshot = self.feed.snapshot();
         let (seq, wishes) = (self.seen, self.subscription.clone());
-        let mut messages = Vec::new();
-        if let Some(number) = snapshot.tick.as_ref().map(|tick| tick.tick) {
-            if self.tick.take(number, wishes.tick, now) {
-                messages.extend(tick_message(seq, &snapshot));
+        let messages = match (&snapshot.present, snapshot.present.step()) {
+            (_, None) => Vec::new(),
+            (Present::Path(path), Some(tick)) => self.path_samples((seq, tick), path, &wishes, now),
+            (Present::Table(table), Some(tick)) => {
+                self.table_samples((seq, tick), table, &wishes, now)
             }
-            if self.depths.take(number, wishes.depths, now) {
-                messages.extend(depths_message(seq, &snapshot));
-            }
-            if self.neurons.take(number, wishes.neurons, now) {
-                let neurons = snapshot.neurons.to_vec();
-                messages.push(ServerMessage::Neurons { seq, tick: number, neurons });
-            }
-        }
+        };
         for message in &messages {
             self.say(message).await?;
         }
@@ -226,6 +236,51 @@ impl Connection {
             Some(png) => self.send(Message::Binary(png)).await,
             None => Ok(()),
         }
+    }
+
+    fn path_samples(
+        &mut self,
+        (seq, number): (u64, u64),
+        path: &PathPresent,
+        wishes: &Subscription,
+        now: Instant,
+    ) -> Vec<ServerMessage> {
+        let mut messages = Vec::new();
+        if let Some(tick) = path.tick.as_deref() {
+            if self.tick.take(number, wishes.tick, now) {
+                messages.push(ServerMessage::Tick { seq, tick: Box::new(tick.clone()) });
+            }
+            if self.depths.take(number, wishes.depths, now) {
+                let sonar_m = tick.sonar_m.clone();
+                messages.push(ServerMessage::Depths { seq, tick: number, sonar_m });
+            }
+        }
+        if self.neurons.take(number, wishes.neurons, now) {
+            let neurons = path.neurons.to_vec();
+            messages.push(ServerMessage::Neurons { seq, tick: number, neurons });
+        }
+        messages
+    }
+
+    fn table_samples(
+        &mut self,
+        (seq, number): (u64, u64),
+        present: &TablePresent,
+        wishes: &Subscription,
+        now: Instant,
+    ) -> Vec<ServerMessage> {
+        let mut messages = Vec::new();
+        if let Some(step) = present.step.as_deref()
+            && self.step.take(number, wishes.step, now)
+        {
+            messages.push(ServerMessage::Step { seq, step: step.clone() });
+        }
+        if let Some(table) = present.table.as_deref()
+            && self.table.take(number, wishes.table, now)
+        {
+            messages.push(ServerMessage::Table { seq, tick: number, table: table.clone() });
+        }
+        messages
     }
 
     async fn say(&mut self, message: &ServerMessage) -> Result<(), Goodbye> {
@@ -318,16 +373,6 @@ async fn new_picture(arena: &mut Option<Arena>) {
 fn after(due: Instant, rate_hz: f64, now: Instant) -> Instant {
     let period = Duration::from_secs_f64(1.0 / rate_hz);
     if now < due + period { due + period } else { now + period }
-}
-
-fn tick_message(seq: u64, snapshot: &Snapshot) -> Option<ServerMessage> {
-    let tick = snapshot.tick.as_deref()?.clone();
-    Some(ServerMessage::Tick { seq, tick: Box::new(tick) })
-}
-
-fn depths_message(seq: u64, snapshot: &Snapshot) -> Option<ServerMessage> {
-    let tick = snapshot.tick.as_deref()?;
-    Some(ServerMessage::Depths { seq, tick: tick.tick, sonar_m: tick.sonar_m.clone() })
 }
 
 /// Whether reading failed because of the limit on a message's length.

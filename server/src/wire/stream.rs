@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 use super::{
-    EpisodeView, NeuronView, ScoresView, Session, StepView, TableView, TaskView, TickView, Trial, Yardstick,
+    EpisodeView, NeuronView, ScoresView, Session, StepView, TableView, TaskView, TickView, Trial,
+    Yardstick,
 };
 
 /// Version of the stream, in `hello`.

@@ -212,6 +212,54 @@ pub struct EpisodeView {
     pub interventions: Vec<InterventionView>,
 }
 
+/// What a session goes through, one after the other: a row of its table.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Round {
+    /// A trial of a robot.
+    Trial(Box<super::Trial>),
+    /// An episode of one competitor.
+    Episode(Box<EpisodeView>),
+}
+
+impl Round {
+    /// Its number in the session, from 1.
+    #[must_use]
+    pub fn number(&self) -> u32 {
+        match self {
+            Self::Trial(trial) => trial.trial,
+            Self::Episode(episode) => episode.round,
+        }
+    }
+
+    /// Its last tick.
+    #[must_use]
+    pub fn last_tick(&self) -> u64 {
+        match self {
+            Self::Trial(trial) => trial.last_tick,
+            Self::Episode(episode) => episode.last_tick,
+        }
+    }
+
+    /// The trial, if it is one.
+    #[must_use]
+    pub fn trial(&self) -> Option<&super::Trial> {
+        match self {
+            Self::Trial(trial) => Some(trial),
+            Self::Episode(_) => None,
+        }
+    }
+
+    /// The episode, if it is one.
+    #[must_use]
+    pub fn episode(&self) -> Option<&EpisodeView> {
+        match self {
+            Self::Episode(episode) => Some(episode),
+            Self::Trial(_) => None,
+        }
+    }
+}
+
 /// What came of an episode.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
 #[serde(tag = "kind", rename_all = "lowercase")]

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use super::{Failure, Line, cpu, room};
-use crate::catalog::{Catalog, MINIMUM_COST_PATH, Plan};
+use crate::catalog::{Catalog, Job, MINIMUM_COST_PATH, Plan};
 use crate::session::{Run, log_header, new_row};
 use crate::store::{LogRecord, LogWriter, Store};
 use crate::wire::NewSession;
@@ -105,7 +105,7 @@ fn steps_of_a_set(plan: &Plan) -> Result<u64, Failure> {
 #[expect(clippy::cast_precision_loss, reason = "steps are far below 2^53")]
 fn logged_steps_a_second(catalog: &Catalog, store: &Store, k: u64) -> Result<f64, Failure> {
     let plan = plan(catalog, k + 1, LOGGED_TRIALS)?;
-    let row = new_row(&plan);
+    let row = new_row(&Job::Path(Box::new(plan.clone())))?;
     store.insert_session(&row)?;
     let mut run = Run::new(&plan)?;
     let start = Instant::now();

@@ -5,13 +5,13 @@ use std::path::Path;
 use indicatif::ProgressBar;
 
 use super::super::{Failure, cores};
-use crate::batch::result;
-use crate::catalog::{Catalog, Plan, Trained};
+use crate::batch::{result, table_result};
+use crate::catalog::{Catalog, Plan, TablePlan, Trained};
 use crate::render::{Backend, Renderer};
 use crate::report;
 use crate::session::{Control, Feed, Lab, Reporter};
 use crate::store::Store;
-use crate::wire::{NamedSpeed, NewSession, RunResult, Session, Speed, State};
+use crate::wire::{NamedSpeed, NewSession, RunResult, Session, Speed, State, TableResult};
 
 /// Runs sessions as the server does, as fast as it goes, and hands over the results in order.
 pub(super) fn run(
@@ -51,20 +51,58 @@ pub(super) fn run(
     Ok(())
 }
 
+/// The same for tabular experiments.
+pub(super) fn run_tables(
+    catalog: Catalog,
+    requests: &[NewSession],
+    plans: &[TablePlan],
+    folder: &Path,
+    progress: &ProgressBar,
+    mut take: impl FnMut(TableResult) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let lab = Lab::new(catalog, Store::open(folder)?, cores());
+    let renderer = Renderer::start(Backend::Cpu);
+    let runtime = tokio::runtime::Runtime::new()?;
+    for (requests, plans) in requests.chunks(4 * cores()).zip(plans.chunks(4 * cores())) {
+        let sessions = requests.iter().map(|request| create(&lab, request));
+        let sessions: Vec<Session> = sessions.collect::<Result<_, Failure>>()?;
+        let feeds = sessions.iter().map(|session| lab.feed(&session.id));
+        let feeds = feeds.collect::<Result<Vec<_>, _>>()?;
+        for session in &sessions {
+            runtime.block_on(lab.control(&session.id, Control::Start))?;
+        }
+        for ((session, feed), plan) in sessions.iter().zip(feeds).zip(plans) {
+            runtime.block_on(finished(&feed, progress))?;
+            let reporter = Reporter { lab: &lab, renderer: &renderer };
+            let Some(report) = reporter.table(&session.id)? else { continue };
+            let folder = lab.store().session_folder(&session.id);
+            for (name, text) in [
+                ("report.html", report::table_html(&report)),
+                ("report.json", report::table_json(&report)),
+                ("episodes.csv", report::table_csv(&report)),
+            ] {
+                std::fs::write(folder.join(name), text)?;
+            }
+            take(table_result(plan, report.episodes, report.scores))?;
+        }
+    }
+    Ok(())
+}
+
 fn create(lab: &Lab, request: &NewSession) -> Result<Session, Failure> {
     let speed = Some(Speed::Named(NamedSpeed::Max));
     Ok(lab.create(&NewSession { speed, ..request.clone() })?)
 }
 
-/// Waits until a session has done its trials.
+/// Waits until a session has done its rounds.
 async fn finished(feed: &Feed, progress: &ProgressBar) -> Result<(), Failure> {
     let mut changes = feed.subscribe();
     let mut counted = 0;
     loop {
         changes.mark_unchanged();
         let session = feed.snapshot().session.clone();
-        progress.inc(u64::from(session.trials_done - counted));
-        counted = session.trials_done;
+        progress.inc(u64::from(session.rounds_done - counted));
+        counted = session.rounds_done;
         match session.state {
             State::Finished => return Ok(()),
             State::Failed => return Err(Failure::Failed(session.reason.unwrap_or_default())),

@@ -1,16 +1,15 @@
 //! What the controls do.
 
-use std::sync::Arc;
 use std::time::Instant;
 
 use super::{Actor, Command, ControlError, Until};
 use crate::session::pace::Pace;
-use crate::session::paths::Paths;
 use crate::session::prepare::Prepared;
+use crate::session::present::Present;
 use crate::session::slots::Permit;
 use crate::session::state::Control;
 use crate::store::{LogRecord, LogWriter, StoreError};
-use crate::wire::{NamedSpeed, Speed, State, StepUnit};
+use crate::wire::{Family, NamedSpeed, Speed, State, StepUnit};
 
 impl Actor {
     pub(super) fn control(&mut self, control: Control) -> Result<(), ControlError> {
@@ -25,7 +24,11 @@ impl Actor {
                 self.ask_to_run(Until::Finished)
             }
             Control::Step(StepUnit::Trial) => {
-                self.say("operator", "Stepped to the end of the trial");
+                let round = match self.session.family {
+                    Family::Path => "trial",
+                    Family::Table => "episode",
+                };
+                self.say("operator", &format!("Stepped to the end of the {round}"));
                 self.ask_to_run(Until::TrialEnd)
             }
             Control::Step(StepUnit::Tick) => self.step(),
@@ -47,7 +50,10 @@ impl Actor {
             Err(error @ (ControlError::Store(_) | ControlError::Field(_))) => {
                 self.fail(&error.to_string());
             }
-            Ok(()) | Err(ControlError::Refused(_) | ControlError::Gone) => {}
+            Ok(())
+            | Err(
+                ControlError::Refused(_) | ControlError::NotUnderWay { .. } | ControlError::Gone,
+            ) => {}
         }
     }
 
@@ -80,11 +86,12 @@ impl Actor {
             return Ok(());
         }
         let prepared = Prepared::new(&self.lab, &self.session.id)?;
-        if prepared.tick < self.session.tick || prepared.trials_done < self.session.trials_done {
-            self.rewind(prepared.tick, prepared.trials_done);
+        if prepared.tick < self.session.tick || prepared.rounds_done < self.session.rounds_done {
+            self.rewind(prepared.tick, prepared.rounds_done);
         }
-        self.neurons = Arc::new(prepared.run.neurons());
-        self.run = Some(prepared.run);
+        let run = self.run.insert(prepared.run);
+        self.present.count(run);
+        self.present.look(run);
         let log = self.log.insert(prepared.log);
         for entry in prepared.lost.into_iter().chain(self.unlogged.drain(..)) {
             log.write(LogRecord::Entry(entry))?;
@@ -93,14 +100,16 @@ impl Actor {
     }
 
     /// Forgets what came after the checkpoint; it is about to be done again.
-    pub(super) fn rewind(&mut self, tick: u64, trials_done: u32) {
-        let kept = self.feed.rewind(trials_done);
-        self.session.count(kept.iter().map(|trial| &**trial));
+    pub(super) fn rewind(&mut self, tick: u64, rounds_done: u32) {
+        let kept = self.feed.rewind(rounds_done);
+        self.session.count(kept.iter().map(|round| &**round));
         self.session.tick = tick;
-        self.paths.drop_trial();
-        self.tick = None;
-        let text = format!("Goes on from the checkpoint after trial {trials_done}");
-        if trials_done > 0 {
+        self.present.drop_trial();
+        let text = match self.session.family {
+            Family::Path => format!("Goes on from the checkpoint after trial {rounds_done}"),
+            Family::Table => format!("Goes on from the checkpoint at tick {tick}"),
+        };
+        if tick > 0 {
             self.say("session", &text);
         }
     }
@@ -138,10 +147,8 @@ impl Actor {
         self.lab.store().reset(&self.session.id)?;
         self.run = None;
         self.condition.checkpoint = false;
-        self.tick = None;
-        self.neurons = Arc::default();
-        self.paths = Paths::default();
-        self.untold_trials.clear();
+        self.present = Present::empty(self.session.family);
+        self.untold_rounds.clear();
         self.feed.rewind(0);
         self.session.count([]);
         self.session.tick = 0;
@@ -168,8 +175,10 @@ impl Actor {
         reason: Option<&str>,
     ) -> Result<(), ControlError> {
         self.permit = None;
-        self.look_at_neurons();
-        self.run = None;
+        self.look();
+        if let Some(run) = self.run.take() {
+            self.present.count(&run);
+        }
         self.finish_log()?;
         self.enter(state, reason)
     }
@@ -203,12 +212,12 @@ impl Actor {
         }
         let Ok(Some(row)) = store.session(id) else { return };
         if row.tick < self.session.tick {
-            let told = usize::try_from(row.trials_done).unwrap_or(usize::MAX);
-            let before = self.feed.trials().len();
-            self.untold_trials.truncate(told.saturating_sub(before));
-            let kept = self.feed.rewind(row.trials_done);
-            let untold = self.untold_trials.iter();
-            self.session.count(kept.iter().map(|trial| &**trial).chain(untold));
+            let told = usize::try_from(row.rounds_done).unwrap_or(usize::MAX);
+            let before = self.feed.rounds().len();
+            self.untold_rounds.truncate(told.saturating_sub(before));
+            let kept = self.feed.rewind(row.rounds_done);
+            let untold = self.untold_rounds.iter();
+            self.session.count(kept.iter().map(|round| &**round).chain(untold));
             self.session.tick = row.tick;
         }
     }

@@ -1,6 +1,5 @@
 //! What the actor shows: state, snapshot, events.
 
-use std::sync::Arc;
 use std::time::Instant;
 
 use super::{Actor, ControlError, EVENTS_EVERY, SNAPSHOT_EVERY};
@@ -25,7 +24,7 @@ impl Actor {
     pub(super) fn show(&mut self) {
         self.session.controls =
             self.condition.controls().iter().map(|control| (*control).to_owned()).collect();
-        self.look_at_neurons();
+        self.look();
         let news = self.news(true);
         self.publish(news);
     }
@@ -38,36 +37,35 @@ impl Actor {
             return;
         }
         if watched {
-            self.look_at_neurons();
+            self.look();
         }
-        let due = !self.untold_trials.is_empty() && self.told.elapsed() >= EVENTS_EVERY;
+        let due = !self.untold_rounds.is_empty() && self.told.elapsed() >= EVENTS_EVERY;
         let news = if due { self.news(true) } else { News::default() };
         self.publish(news);
     }
 
     fn publish(&mut self, news: News) {
         self.published = Instant::now();
-        let snapshot = Snapshot {
-            session: self.session.clone(),
-            tick: self.tick.clone(),
-            neurons: self.neurons.clone(),
-            paths: self.paths.clone(),
-        };
+        let snapshot = Snapshot { session: self.session.clone(), present: self.present.clone() };
         self.feed.publish(snapshot, news);
     }
 
     pub(super) fn news(&mut self, state: bool) -> News {
         self.told = Instant::now();
+        if let (Some(run), false) = (&self.run, self.untold_rounds.is_empty()) {
+            self.present.count(run);
+        }
         News {
-            trials: std::mem::take(&mut self.untold_trials),
+            rounds: std::mem::take(&mut self.untold_rounds),
             log: std::mem::take(&mut self.untold_lines),
             state,
         }
     }
 
-    pub(super) fn look_at_neurons(&mut self) {
-        if let Some(run) = &self.run {
-            self.neurons = Arc::new(run.neurons());
+    /// Looks at neurons or tables.
+    pub(super) fn look(&mut self) {
+        if let Some(run) = &mut self.run {
+            self.present.look(run);
         }
     }
 

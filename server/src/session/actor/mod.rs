@@ -11,13 +11,14 @@ use tokio::sync::oneshot;
 use crate::catalog::FieldError;
 use crate::session::feed::Feed;
 use crate::session::lab::Lab;
+use crate::session::machine::Machine;
 use crate::session::pace::Pace;
-use crate::session::paths::Paths;
-use crate::session::run::Run;
+use crate::session::present::Present;
 use crate::session::slots::Permit;
 use crate::session::state::{Condition, Control, Refused};
+use crate::session::table_run::Intervention;
 use crate::store::{LogWriter, StoreError};
-use crate::wire::{Ack, LogEntry, NeuronView, Session, State, TickView, Trial};
+use crate::wire::{Ack, LogEntry, NeuronView, Round, Session, State, TableFile};
 
 /// Longest time between two looks at the commands.
 const ATTENTION: Duration = Duration::from_millis(4);
@@ -28,6 +29,7 @@ const EVENTS_EVERY: Duration = Duration::from_millis(100);
 
 mod control;
 mod face;
+mod intervention;
 mod tick;
 
 /// What an actor is told.
@@ -38,6 +40,10 @@ pub(in crate::session) enum Command {
     Admit(Permit),
     /// Somebody looks at a neuron, its centre included.
     Look(u32, oneshot::Sender<Option<NeuronView>>),
+    /// An operator does something to the learner whose turn it is.
+    Intervene(Intervention, oneshot::Sender<Result<Ack, ControlError>>),
+    /// Somebody wants the learner's table.
+    Table(oneshot::Sender<Option<Result<TableFile, FieldError>>>),
     /// Somebody is about to read the log.
     Flush(oneshot::Sender<()>),
     /// The server ends.
@@ -59,6 +65,12 @@ pub enum ControlError {
     /// The disk refused.
     #[error(transparent)]
     Store(#[from] StoreError),
+    /// There is nothing to change.
+    #[error("the session is {}; it can be changed while it runs or is paused", crate::session::state_name(*.state))]
+    NotUnderWay {
+        /// The state.
+        state: State,
+    },
     /// The actor ended without an answer.
     #[error("the session ended before it could answer; look at its state")]
     Gone,
@@ -83,15 +95,15 @@ pub(in crate::session) struct Actor {
     pace: Pace,
     permit: Option<Permit>,
     /// The machine, from the first tick to the end or the next stop.
-    run: Option<Run>,
+    run: Option<Machine>,
     log: Option<LogWriter>,
     /// Lines that wait for a log to be written to.
     unlogged: Vec<LogEntry>,
-    tick: Option<Arc<TickView>>,
-    neurons: Arc<Vec<NeuronView>>,
-    paths: Paths,
-    /// Trials and lines that viewers have not been told of.
-    untold_trials: Vec<Trial>,
+    /// When a checkpoint was last handed to the log.
+    checkpointed: Instant,
+    present: Present,
+    /// Rounds and lines that viewers have not been told of.
+    untold_rounds: Vec<Round>,
     untold_lines: Vec<LogEntry>,
     published: Instant,
     told: Instant,
@@ -117,10 +129,9 @@ impl Actor {
             run: None,
             log: None,
             unlogged,
-            tick: snapshot.tick.clone(),
-            neurons: snapshot.neurons.clone(),
-            paths: snapshot.paths.clone(),
-            untold_trials: Vec::new(),
+            checkpointed: now,
+            present: snapshot.present.clone(),
+            untold_rounds: Vec::new(),
             untold_lines: Vec::new(),
             published: now,
             told: now,
@@ -220,6 +231,14 @@ impl Actor {
             Command::Look(neuron, reply) => {
                 let found = self.run.as_ref().and_then(|run| run.neuron(neuron));
                 let _ = reply.send(found);
+            }
+            Command::Intervene(intervention, reply) => {
+                let result = self.intervene(&intervention);
+                let ack = Ack { state: self.condition.state, tick: self.session.tick };
+                let _ = reply.send(result.map(|()| ack));
+            }
+            Command::Table(reply) => {
+                let _ = reply.send(self.table_file());
             }
             Command::Flush(reply) => {
                 // A log that refuses is noticed with the next tick, and then the session fails.

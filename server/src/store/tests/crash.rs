@@ -127,7 +127,7 @@ fn a_killed_server_leaves_interrupted_sessions_with_all_that_was_flushed() {
         let left = killed(&store);
         let reopened = Store::open(left.path()).expect("the folder opens");
         let row = reopened.session(ID).expect("readable").expect("there");
-        assert_eq!((row.state, row.tick, row.trials_done), (after, 25, 2), "was {state:?}");
+        assert_eq!((row.state, row.tick, row.rounds_done), (after, 25, 2), "was {state:?}");
         assert_eq!(row.reason.is_some(), after == State::Interrupted);
         assert_eq!(reopened.ticks(ID, 1, 99), Ok(ticks(1, 25)));
     }

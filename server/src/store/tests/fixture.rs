@@ -29,7 +29,9 @@ pub(super) fn row(id: &str) -> SessionRow {
         world: "trc-lab".into(),
         world_text: "walls = []".into(),
         settings: [("sonar.noise".to_owned(), 0.1.into())].into(),
-        trials: 20,
+        family: Family::Path,
+        trials_each: 20,
+        rounds: 20,
         speed: Speed::TicksPerSecond(30.0),
         build: "0.1.0".into(),
         state: State::Running,
@@ -37,12 +39,13 @@ pub(super) fn row(id: &str) -> SessionRow {
         created_at: "2026-01-01T00:00:00Z".into(),
         changed_at: "2026-01-01T00:00:00Z".into(),
         tick: 0,
-        trials_done: 0,
+        rounds_done: 0,
     }
 }
 
 pub(super) fn header() -> LogHeader {
-    let SessionRow { experiment, seed, settings, trials, build, world_text, .. } = row(ID);
+    let SessionRow { experiment, seed, settings, trials_each: trials, build, world_text, .. } =
+        row(ID);
     LogHeader { experiment, seed, settings, trials, build, world_text, network_text: None }
 }
 

@@ -28,7 +28,7 @@ fn a_finished_log_gives_back_every_record_in_order() {
     assert_eq!(store.trial_end(ID, 10), Ok(None), "it has not ended");
     assert_eq!(store.events(ID, 2), Ok(vec![entry(80), entry(90)]));
     let row = store.session(ID).expect("readable").expect("there");
-    assert_eq!((row.tick, row.trials_done), (95, 9));
+    assert_eq!((row.tick, row.rounds_done), (95, 9));
 }
 
 #[test]

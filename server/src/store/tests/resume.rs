@@ -20,7 +20,7 @@ fn a_resumed_log_is_the_log_of_a_run_without_a_break() {
         assert_eq!(store.trials(ID).map(|rows| rows.len()), Ok(trials_done));
         assert_eq!(store.events(ID, 99).map(|entries| entries.len()), Ok(trials_done));
         let row = store.session(ID).expect("readable").expect("there");
-        assert_eq!((row.tick, row.trials_done as usize), (checkpoint, trials_done));
+        assert_eq!((row.tick, row.rounds_done as usize), (checkpoint, trials_done));
         write(&resumed, &run_between(checkpoint + 1, 80)).expect("written");
         resumed.finish().expect("finished");
         assert_eq!(read_all(&store.log_path(ID)), run(80), "checkpoint {checkpoint}");

@@ -1,0 +1,242 @@
+//! The settings of every tabular experiment, by key: numbers and names of the core, and texts.
+
+use serde_json::Value as Json;
+use sonarium_core::experiment::{
+    BanditSettings, ContinualSettings, GridworldSettings, HorizonSettings, LabyrinthExtras,
+    LabyrinthSettings,
+};
+use sonarium_core::settings::{SettingError, Spec, Value};
+
+use super::super::FieldError;
+
+/// Advice in words, one rule a line.
+const ADVICE: &str = "advice";
+/// A belief matrix of one's own.
+const MATRIX: &str = "belief.matrix";
+/// Values that its learner begins with.
+const TABLE: &str = "learner.table";
+
+/// A setting that is a text.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TextSpec {
+    pub(super) key: &'static str,
+    pub(super) meaning: &'static str,
+    pub(super) source: &'static str,
+}
+
+const ADVICE_SPEC: TextSpec = TextSpec {
+    key: ADVICE,
+    meaning: "Advice in words, one rule a line, for `bias.advice`",
+    source: "section 4.3",
+};
+
+const LABYRINTH_TEXTS: [TextSpec; 3] = [
+    ADVICE_SPEC,
+    TextSpec {
+        key: MATRIX,
+        meaning: "A belief matrix of one's own, which then competes too: 16 rows of 3 beliefs, as [[1,-1,1],...]",
+        source: "section 4.5",
+    },
+    TextSpec {
+        key: TABLE,
+        meaning: "Q-values that the own matrix's learner begins with, as [[0.5,0,1],...]",
+        source: "section 4.10",
+    },
+];
+
+/// The settings of one of the experiments.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TableSettings {
+    /// Chapter 4.
+    Labyrinth(LabyrinthSettings),
+    /// Section 4.10.
+    Continual(ContinualSettings),
+    /// Chapter 3 in mazes and other worlds.
+    Gridworld(GridworldSettings),
+    /// Section 3.5.
+    Bandit(BanditSettings),
+    /// Figure 3.3.
+    Horizon(HorizonSettings),
+}
+
+/// Does the same with whichever settings there are.
+macro_rules! each {
+    ($settings:expr, $bound:ident => $body:expr) => {
+        match $settings {
+            TableSettings::Labyrinth($bound) => $body,
+            TableSettings::Continual($bound) => $body,
+            TableSettings::Gridworld($bound) => $body,
+            TableSettings::Bandit($bound) => $body,
+            TableSettings::Horizon($bound) => $body,
+        }
+    };
+}
+
+impl TableSettings {
+    /// The defaults of an experiment; none when there is no tabular experiment of that name.
+    pub(super) fn of(experiment: &str) -> Option<Self> {
+        Some(match experiment {
+            "labyrinth" => Self::Labyrinth(LabyrinthSettings::default()),
+            "continual" => Self::Continual(ContinualSettings::default()),
+            "gridworld" => Self::Gridworld(GridworldSettings::default()),
+            "bandit" => Self::Bandit(BanditSettings::default()),
+            "horizon" => Self::Horizon(HorizonSettings::default()),
+            _ => return None,
+        })
+    }
+
+    pub(super) fn specs(&self) -> &'static [Spec] {
+        match self {
+            Self::Labyrinth(_) => LabyrinthSettings::specs(),
+            Self::Continual(_) => ContinualSettings::specs(),
+            Self::Gridworld(_) => GridworldSettings::specs(),
+            Self::Bandit(_) => BanditSettings::specs(),
+            Self::Horizon(_) => HorizonSettings::specs(),
+        }
+    }
+
+    pub(super) fn texts(&self) -> &'static [TextSpec] {
+        match self {
+            Self::Labyrinth(_) => &LABYRINTH_TEXTS,
+            Self::Gridworld(_) => &LABYRINTH_TEXTS[..1],
+            Self::Continual(_) | Self::Bandit(_) | Self::Horizon(_) => &[],
+        }
+    }
+
+    pub(super) fn get(&self, key: &str) -> Option<Value> {
+        each!(self, settings => settings.get(key))
+    }
+
+    pub(super) fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        each!(self, settings => settings.set(key, value))
+    }
+
+    /// Key of what `trials` stands for; none where there are no trials.
+    pub(super) fn trials_key(&self) -> Option<&'static str> {
+        match self {
+            Self::Labyrinth(_) | Self::Continual(_) | Self::Gridworld(_) => Some("trials"),
+            Self::Bandit(_) => Some("pulls"),
+            Self::Horizon(_) => None,
+        }
+    }
+
+    /// Trials of an episode.
+    pub(super) fn trials(&self) -> u32 {
+        match self {
+            Self::Labyrinth(settings) => settings.trials,
+            Self::Continual(settings) => settings.trials,
+            Self::Gridworld(settings) => settings.trials,
+            Self::Bandit(settings) => settings.pulls,
+            Self::Horizon(_) => 1,
+        }
+    }
+
+    /// Episodes of each competitor.
+    #[must_use]
+    pub fn episodes(&self) -> u32 {
+        match self {
+            Self::Labyrinth(settings) => settings.episodes,
+            Self::Continual(settings) => settings.episodes,
+            Self::Gridworld(settings) => settings.episodes,
+            Self::Bandit(settings) => settings.episodes,
+            Self::Horizon(_) => 1,
+        }
+    }
+}
+
+/// The texts of a run.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Texts {
+    /// Advice.
+    pub advice: String,
+    /// Belief matrix.
+    pub matrix: String,
+    /// Q-values.
+    pub table: String,
+}
+
+impl Texts {
+    pub(super) fn get(&self, key: &str) -> &str {
+        match key {
+            ADVICE => &self.advice,
+            MATRIX => &self.matrix,
+            _ => &self.table,
+        }
+    }
+
+    pub(super) fn set(&mut self, key: &'static str, value: &Json) -> Result<(), FieldError> {
+        let text = match value {
+            Json::String(text) => text.trim().to_owned(),
+            // A matrix may be given as what it is.
+            Json::Array(_) if key != ADVICE => value.to_string(),
+            other => {
+                let message = format!("must be a text, not `{other}`");
+                return Err(FieldError::new(format!("settings.{key}"), message));
+            }
+        };
+        match key {
+            ADVICE => self.advice = text,
+            MATRIX => self.matrix = text,
+            _ => self.table = text,
+        }
+        Ok(())
+    }
+
+    /// What the labyrinth takes besides its settings.
+    ///
+    /// # Errors
+    /// When a matrix is not written as rows of numbers.
+    pub fn extras(&self) -> Result<LabyrinthExtras, FieldError> {
+        let (matrix, table) = (rows(MATRIX, &self.matrix)?, rows(TABLE, &self.table)?);
+        if table.is_some() && matrix.is_none() {
+            let message = "belongs to a matrix of one's own; give `belief.matrix` too";
+            return Err(FieldError::new(format!("settings.{TABLE}"), message));
+        }
+        Ok(LabyrinthExtras { advice: self.advice.clone(), matrix, table })
+    }
+}
+
+fn rows(key: &str, text: &str) -> Result<Option<Vec<Vec<f64>>>, FieldError> {
+    if text.is_empty() {
+        return Ok(None);
+    }
+    serde_json::from_str(text).map(Some).map_err(|error| {
+        let message = format!("must be rows of numbers, as [[1,-1,1],[1,1,1]]: {error}");
+        FieldError::new(format!("settings.{key}"), message)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn matrices_are_rows_of_numbers() {
+        let with = |matrix: &str, table: &str| Texts {
+            matrix: matrix.into(),
+            table: table.into(),
+            ..Texts::default()
+        };
+        let extras = with("[[1,-1],[0.5,1]]", "").extras().expect("rows of numbers");
+        assert_eq!(extras.matrix, Some(vec![vec![1.0, -1.0], vec![0.5, 1.0]]));
+        for (texts, field) in [
+            (with("[[1,", ""), "settings.belief.matrix"),
+            (with("7", ""), "settings.belief.matrix"),
+            (with("[[1,\"a\"]]", ""), "settings.belief.matrix"),
+            (with("", "[[1]]"), "settings.learner.table"),
+        ] {
+            assert_eq!(texts.extras().expect_err(field).field, field);
+        }
+    }
+
+    #[test]
+    fn every_tabular_experiment_has_its_settings() {
+        for name in ["labyrinth", "continual", "gridworld", "bandit", "horizon"] {
+            let settings = TableSettings::of(name).expect("a tabular experiment");
+            for spec in settings.specs() {
+                assert!(settings.get(spec.key).is_some(), "{name}: {}", spec.key);
+            }
+        }
+        assert_eq!(TableSettings::of("minimum-cost-path"), None);
+    }
+}
