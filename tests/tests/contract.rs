@@ -21,6 +21,56 @@ fn run_prints_one_object_with_the_fields_that_stay() {
 }
 
 #[test]
+fn a_tabular_run_prints_its_episodes() {
+    for (experiment, episodes, competitors) in
+        [("labyrinth", 6, 6), ("continual", 3, 2), ("gridworld", 1, 1), ("bandit", 5, 5)]
+    {
+        let one = "episodes=1";
+        let run =
+            sonarium(&["run", experiment, "--seed", "3", "--trials", "5", "--set", one, "--json"]);
+        assert_eq!(run.code, Some(0), "{experiment}: {}", run.stderr);
+        let result: Value = serde_json::from_str(&run.stdout).expect("one JSON object");
+        for field in ["experiment", "seed", "build", "settings", "summary"] {
+            assert!(!result[field].is_null(), "{experiment}: {field}");
+        }
+        let rows = result["episodes"].as_array().expect("episodes");
+        assert_eq!(rows.len(), episodes, "{experiment}");
+        for field in ["round", "episode", "entrant", "steps", "outcome"] {
+            assert!(!rows[0][field].is_null(), "{experiment}: {field}");
+        }
+        let scores = result["summary"]["scores"].as_array().expect("scores");
+        assert_eq!(scores.len(), competitors, "{experiment}");
+    }
+    let run = sonarium(&["run", "horizon", "--json"]);
+    let result: Value = serde_json::from_str(&run.stdout).expect("one JSON object");
+    let points = result["episodes"][0]["outcome"]["points"].as_array().expect("points");
+    let crossings = points.iter().filter(|point| !point["crossing"].is_null()).count();
+    assert_eq!(crossings, 4, "figure 3.3: two changes of the best policy in each plot");
+}
+
+#[test]
+fn a_broken_maze_or_process_is_refused_with_the_place() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let heading = "name = \"own\"\ntitle = \"\"\nsummary = \"\"\nsource = \"\"\n";
+    let process =
+        "states = [\"a\", \"b\"]\nactions = [\"go\"]\nstart = \"a\"\nabsorbing = [\"b\"]\n";
+    for (text, says) in [
+        ("map = \"\"\"\n..G\n\"\"\"".to_owned(), "start"),
+        ("map = \"\"\"\nS#G\n\"\"\"".to_owned(), "line 1"),
+        ("map = \"\"\"\nS?G\n\"\"\"".to_owned(), "line 1, column 2"),
+        ("map = \"\"\"\nS.G\n\"\"\"\nslip = 2.0".to_owned(), "slip"),
+        (format!("{process}[[rows]]\nstate = \"a\"\naction = \"go\"\nto = {{ b = 0.9 }}"), "0.9"),
+    ] {
+        let file = folder.path().join("own.toml");
+        std::fs::write(&file, format!("{heading}{text}")).expect("can be written");
+        let file = file.to_str().expect("a plain path");
+        let run = sonarium(&["run", "gridworld", "--world", file]);
+        assert_eq!(run.code, Some(2), "{text}: {}", run.stderr);
+        assert!(run.stderr.contains(says), "{text} does not say {says}: {}", run.stderr);
+    }
+}
+
+#[test]
 fn several_seeds_print_one_object_a_line_in_order() {
     let run = sonarium(&["run", EXPERIMENT, "--seeds", "4..6", "--trials", "1", "--json"]);
     let seeds: Vec<Value> = run
@@ -44,6 +94,11 @@ fn the_command_line_refuses_bad_input_and_names_the_field() {
         (vec!["run", EXPERIMENT, "--set", "world=atlantis"], vec!["world", "laboratory"]),
         (vec!["run", EXPERIMENT, "--set", "sonar.noise"], vec!["KEY=VALUE"]),
         (vec!["run", EXPERIMENT, "--trials", "0"], vec!["trials"]),
+        (vec!["run", "labyrinth", "--set", "start=15"], vec!["settings.goal", "start"]),
+        (vec!["run", "labyrinth", "--set", "exploration.first=0"], vec!["0.001 to 1000"]),
+        (vec!["run", "labyrinth", "--set", "belief.matrix=[[1,2]]"], vec!["matrix", "16 rows"]),
+        (vec!["run", "labyrinth", "--network", "net.json"], vec!["--network"]),
+        (vec!["run", "horizon", "--trials", "5"], vec!["trials"]),
         (vec!["run", EXPERIMENT, "--seeds", "9..3"], vec!["seeds"]),
         (vec!["run", EXPERIMENT, "--config", broken], vec!["line 1"]),
         (vec!["run", EXPERIMENT, "--config", "no-such-file.toml"], vec!["no-such-file.toml"]),
