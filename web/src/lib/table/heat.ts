@@ -35,7 +35,7 @@ const CHANCE: Record<ThemeName, [Rgb, Rgb]> = {
   ],
 };
 
-const DARK_INK = '#10161e';
+const DARK_INK = '#000000';
 const LIGHT_INK = '#ffffff';
 
 /** The span of values: parted at 0 where they have both signs, else in the middle of them. */
@@ -86,8 +86,8 @@ function mix(from: Rgb, to: Rgb, share: number): Rgb {
 
 function contrastInk(colour: Rgb): string {
   const light = luminance(colour);
-  // WCAG contrast: (lighter + 0.05) / (darker + 0.05); the dark ink has a luminance of about 0.008.
-  return (light + 0.05) / 0.058 >= 1.05 / (light + 0.05) ? DARK_INK : LIGHT_INK;
+  // WCAG contrast: (lighter + 0.05) / (darker + 0.05). One of black and white always has 4.58 or more.
+  return (light + 0.05) / 0.05 >= 1.05 / (light + 0.05) ? DARK_INK : LIGHT_INK;
 }
 
 /** Relative luminance of an sRGB colour, 0 to 1. */

@@ -1,6 +1,6 @@
 /** The plots of figure 3.3, and the policies of figure 3.2 as chains. */
 
-import { brief, number } from '../format';
+import { brief } from '../format';
 import type { CrossingView, PointView, PolicyView } from '../protocol';
 
 /** One plot. */
@@ -47,13 +47,16 @@ export function averages(points: PointView[]): PointView | null {
   return points.find(({ model }) => model === 'average') ?? null;
 }
 
+/** A place on an axis, as short as three decimals can say it. */
+export const place = (at: number): string => String(Number(at.toFixed(3)));
+
 /** A crossing in a sentence. */
 export function crossingWords(
   { at, from, to }: CrossingView,
   parameter: string,
   names: string[],
 ): string {
-  return `${parameter} = ${number(at, 3)}: ${names[from] ?? from} before, ${names[to] ?? to} after`;
+  return `${parameter} = ${place(at)}: ${names[from] ?? from} before, ${names[to] ?? to} after`;
 }
 
 /** Rewards of the first steps as a chain shows them; the last goes on for ever. */

@@ -86,7 +86,7 @@ function drawCell(
   const { left, top, side } = frame;
   const [x, y] = [left + found.column * side, top + found.row * side];
   const isEnd = learner.ends.includes(state);
-  const ground = isEnd ? ink.surface : valueColour(learner, state, theme);
+  const ground = isEnd ? ink.goodWeak : valueColour(learner, state, theme);
   context.fillStyle = ground;
   context.fillRect(x + 0.5, y + 0.5, side - 1, side - 1);
   const on = isEnd ? ink.text : inkOn(ground);
@@ -96,8 +96,10 @@ function drawCell(
   const letter = found.mark;
   context.textAlign = 'left';
   context.textBaseline = 'top';
-  if (letter && side >= 14) {
-    context.font = `${isEnd || letter === 'S' ? '700 ' : ''}${Math.min(14, side * 0.4)}px ${fontOf(ink)}`;
+  if (isEnd) {
+    drawEnd(context, [x, y], side, letter, ink);
+  } else if (letter && side >= 14) {
+    context.font = `${letter === 'S' ? '700 ' : ''}${Math.min(14, side * 0.4)}px ${fontOf(ink)}`;
     context.fillText(letter, x + 3, y + 2);
   }
   if (side >= NUMBERED && !isEnd) {
@@ -106,6 +108,23 @@ function drawCell(
     context.textBaseline = 'bottom';
     context.fillText(short(learner.state_values[state] ?? 0), x + side - 3, y + side - 2);
   }
+}
+
+function drawEnd(
+  context: CanvasRenderingContext2D,
+  [x, y]: Spot,
+  side: number,
+  letter: string,
+  ink: Ink,
+) {
+  context.strokeStyle = context.fillStyle = letter === 'X' ? ink.bad : ink.good;
+  context.lineWidth = 2;
+  context.strokeRect(x + 2, y + 2, side - 4, side - 4);
+  if (side < 10) return;
+  context.font = `700 ${Math.min(18, side * 0.5)}px ${fontOf(ink)}`;
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  context.fillText(letter, x + side / 2, y + side / 2);
 }
 
 function drawArrows(

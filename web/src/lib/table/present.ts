@@ -35,12 +35,16 @@ export function agentState(learner: LearnerView, walk: WalkView | null): number 
   return walk.trial_end ? learner.start : walk.next;
 }
 
-/** Q of the pairs that may be chosen, row by row; `null` where an action is excluded. */
-export function allowed(values: number[][], weights: number[][]): (number | null)[][] {
+/** Q of the pairs that may be chosen, row by row; `null` where an action is excluded, and at ends. */
+export function allowed({ values, weights, ends }: Allowed): (number | null)[][] {
   return values.map((row, state) =>
-    row.map((value, action) => (isExcluded(weights, state, action) ? null : value)),
+    row.map((value, action) =>
+      ends.includes(state) || isExcluded(weights, state, action) ? null : value,
+    ),
   );
 }
+
+type Allowed = Pick<LearnerView, 'values' | 'weights' | 'ends'>;
 
 /** Whether an action is never chosen in a state. */
 export function isExcluded(weights: number[][], state: number, action: number): boolean {

@@ -1,7 +1,7 @@
 /** How far a session is: in trials of a path, in episodes of competitors with tables. */
 
 import type { LiveSession } from '../live.svelte';
-import type { Session } from '../protocol';
+import type { Session, TaskView } from '../protocol';
 
 /** Progress in words and numbers. */
 export interface Progress {
@@ -54,9 +54,20 @@ function presentOf(session: Session, done: number, all: number): number {
   return session.state === 'finished' ? all : Math.min(done + 1, all);
 }
 
+/** How long its episodes are, and how many each competitor has; nothing where there is but one. */
+export function tableFacts(session: Session, task: TaskView | null): [string, string][] {
+  if (task?.kind === 'policies') return [];
+  const { episodes } = session.settings;
+  const each = task?.kind === 'levers' ? 'Pulls an episode' : 'Trials an episode';
+  return [
+    ...(episodes === undefined ? [] : [['Episodes', String(episodes)] as [string, string]]),
+    [each, String(session.trials)],
+  ];
+}
+
 /** "3 of 20 trials", in the list of sessions. */
 export function doneWords({ family, trials, trials_done, rounds, rounds_done }: Session): string {
   return family === 'table'
-    ? `${rounds_done} of ${rounds} rounds`
+    ? `${rounds_done} of ${rounds} episodes`
     : `${trials_done} of ${trials} trials`;
 }
