@@ -30,7 +30,7 @@ macro_rules! declare {
 fn declarations(config: &Config) -> Vec<String> {
     declare!(config:
         ExperimentInfo, RobotInfo, PresetInfo, WorldInfo, SettingInfo, Choice,
-        State, Speed, NamedSpeed, NewSession, Session, Ack, StepRequest, StepUnit, SpeedRequest,
+        State, Family, Speed, NamedSpeed, NewSession, Session, Ack, StepRequest, StepUnit, SpeedRequest,
         Trial, Summary, RunResult, Yardstick, PlannedPath, Problem,
         PoseView, TickView, WinnerView, ReflexView, ExplorationView, AdaptationView, OutcomeView,
         NeuronView, BirthView, TrialEndView, ChangeView, AimView, ProposalView,

@@ -14,6 +14,8 @@ import type {
   Session,
   Speed,
   StepUnit,
+  TableFile,
+  TableRequest,
   ThemeName,
   TickView,
 } from './protocol';
@@ -63,6 +65,15 @@ export function control(id: string, name: Control, unit?: StepUnit): Promise<Ack
 
 export const setSpeed = (id: string, speed: Speed) =>
   call<Ack>('POST', `${path(id)}/speed`, { speed });
+
+export const advise = (id: string, text: string) =>
+  call<Ack>('POST', `${path(id)}/advice`, { text });
+
+/** The table of values of the learner whose turn it is. */
+export const table = (id: string) => call<TableFile>('GET', `${path(id)}/table`);
+
+export const editTable = (id: string, change: TableRequest) =>
+  call<Ack>('POST', `${path(id)}/table`, change);
 
 export const reproductions = () => call<ReproductionTarget[]>('GET', 'reproductions');
 /** Computes it, if nobody has; the answer may take minutes. */

@@ -12,8 +12,15 @@ export interface Ink {
   warn: string;
   warnWeak: string;
   bad: string;
+  good: string;
+  goodWeak: string;
+  /** Of lines that are told apart, in their order. */
+  series: string[];
   font: string;
 }
+
+/** Colours of lines in the theme. */
+const SERIES = 8;
 
 /** The colours in force at an element. */
 export function inkOf(element: Element): Ink {
@@ -30,6 +37,9 @@ export function inkOf(element: Element): Ink {
     warn: token('warn'),
     warnWeak: token('warn-weak'),
     bad: token('bad'),
+    good: token('good'),
+    goodWeak: token('good-weak'),
+    series: Array.from({ length: SERIES }, (_, index) => token(`series-${index + 1}`)),
     font: `11px ${style.fontFamily}`,
   };
 }

@@ -2,15 +2,21 @@
 
 import * as api from './api';
 import { advance, FIRST, type Link, type LinkEvent } from './connection';
-import { addLog, addTrials, trialsOf } from './history';
+import { addEpisodes, addLog, addTrials, episodesOf, trialsOf } from './history';
 import type {
   ArenaRequest,
   ClientMessage,
+  EpisodeView,
   LogEntry,
   NeuronView,
   Problem,
+  ScoresView,
   ServerMessage,
   Session,
+  StepView,
+  TableRequest,
+  TableView,
+  TaskView,
   TickView,
   Trial,
   WorldView,
@@ -19,8 +25,11 @@ import type {
 import { Throttle } from './throttle';
 import { withRegret } from './yardstick';
 
-/** Samples a second that the page asks for. */
-const RATES = { tick: 15, depths: 30, neurons: 4 };
+/** Samples a second that the page asks for, by kind of experiment. */
+const RATES = {
+  path: { tick: 15, depths: 30, neurons: 4 },
+  table: { step: 15, table: 6 },
+};
 
 /** A session that is watched. */
 export class LiveSession {
@@ -35,6 +44,16 @@ export class LiveSession {
   sonar_m = $state.raw<number[]>([]);
   /** Where each sonar looks, from the heading, counter-clockwise. */
   readonly bearings_deg = $derived((this.world?.sonars ?? []).map((sonar) => sonar.bearing_deg));
+  /** The world of a tabular experiment. */
+  task = $state.raw<TaskView | null>(null);
+  /** The last step of a tabular experiment. */
+  step = $state.raw<StepView | null>(null);
+  /** Its tables. */
+  table = $state.raw<TableView | null>(null);
+  /** How its competitors stand. */
+  scores = $state.raw<ScoresView | null>(null);
+  /** Its newest episodes. */
+  episodes = $state.raw<EpisodeView[]>([]);
   log = $state.raw<LogEntry[]>([]);
   link = $state.raw<Link>(FIRST);
   /** The session cannot be shown at all; status 404 when there is none. */
@@ -50,6 +69,10 @@ export class LiveSession {
   #trials: Trial[] = [];
   /** At full speed trials end faster than charts and tables need to follow. */
   #shownTrials = new Throttle<Trial[]>(250, (trials) => (this.trials = trials));
+  #episodes: EpisodeView[] = [];
+  /** Episodes too, with the scores that each of them changes. */
+  #shownEpisodes = new Throttle<EpisodeView[]>(250, (episodes) => (this.episodes = episodes));
+  #shownScores = new Throttle<ScoresView | null>(250, (scores) => (this.scores = scores));
   #arena: ArenaRequest | null = null;
   #onpicture: (picture: Blob) => void = () => {};
 
@@ -77,6 +100,8 @@ export class LiveSession {
     this.#follow({ kind: 'closed' });
     if (this.#timer !== null) clearTimeout(this.#timer);
     this.#shownTrials.stop();
+    this.#shownEpisodes.stop();
+    this.#shownScores.stop();
     this.#socket?.close();
     this.#onpicture = () => {};
   }
@@ -99,6 +124,16 @@ export class LiveSession {
     const ack = await api.control(this.id, name, unit);
     await this.#refreshWithoutStream();
     return ack;
+  }
+
+  /** Gives the learner advice in the place of what it has; an empty text takes it back. */
+  advise(text: string) {
+    return api.advise(this.id, text);
+  }
+
+  /** Changes values of the learner's table. */
+  edit(change: TableRequest) {
+    return api.editTable(this.id, change);
   }
 
   /** Changes the pace. */
@@ -128,9 +163,13 @@ export class LiveSession {
 
   #subscribe(): void {
     if (this.#socket?.readyState !== WebSocket.OPEN) return;
+    this.#socket.send(JSON.stringify(this.#wanted()));
+  }
+
+  #wanted(): ClientMessage {
+    if (this.session?.family === 'table') return { type: 'subscribe', ...RATES.table };
     const arena = this.#arena ?? { rate: 0, width: 64, height: 64, theme: 'light' };
-    const message: ClientMessage = { type: 'subscribe', ...RATES, arena };
-    this.#socket.send(JSON.stringify(message));
+    return { type: 'subscribe', ...RATES.path, arena };
   }
 
   #take(message: ServerMessage): void {
@@ -139,11 +178,16 @@ export class LiveSession {
       case 'hello':
         this.session = message.session;
         this.world = message.world;
-        this.yardstick = message.yardstick;
+        this.yardstick = message.yardstick ?? { state: 'computing' };
         this.#setTrials(message.trials);
         this.neurons = message.neurons;
         this.tick = message.tick;
         this.sonar_m = message.tick?.sonar_m ?? [];
+        this.task = message.task;
+        this.table = message.table;
+        this.step = null;
+        this.#shownScores.offer(message.scores);
+        this.#setEpisodes(message.episodes);
         this.log = message.log;
         break;
       case 'state':
@@ -167,6 +211,18 @@ export class LiveSession {
       case 'curve':
         // The trials carry the same points and more.
         break;
+      case 'step':
+        this.step = message.step;
+        break;
+      case 'table':
+        this.table = message.table;
+        break;
+      case 'episode':
+        this.#setEpisodes(addEpisodes(this.#episodes, message.episodes));
+        break;
+      case 'scores':
+        this.#shownScores.offer(message.scores);
+        break;
       case 'log':
         this.log = addLog(this.log, message.entries);
         break;
@@ -183,7 +239,11 @@ export class LiveSession {
   #takeState(session: Session): void {
     this.session = session;
     this.#setTrials(trialsOf(session, this.#trials));
+    this.#setEpisodes(episodesOf(session, this.#episodes));
     if (session.tick > 0) return;
+    this.step = null;
+    this.table = null;
+    this.#shownScores.offer(null);
     this.tick = null;
     this.sonar_m = [];
     this.neurons = [];
@@ -199,6 +259,12 @@ export class LiveSession {
     if (trials === this.#trials) return;
     this.#trials = trials;
     this.#shownTrials.offer(trials);
+  }
+
+  #setEpisodes(episodes: EpisodeView[]): void {
+    if (episodes === this.#episodes) return;
+    this.#episodes = episodes;
+    this.#shownEpisodes.offer(episodes);
   }
 
   #lost(): void {

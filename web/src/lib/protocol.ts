@@ -92,6 +92,9 @@ meaning: string, };
 /** The state of a session. It is never a lie: after a crash it reads `interrupted`. */
 export type State = "queued" | "starting" | "running" | "paused" | "stopping" | "stopped" | "finished" | "failed" | "interrupted";
 
+/** Which kind of experiment a session runs. */
+export type Family = "path" | "table";
+
 /** Pace of a session. */
 export type Speed = number | NamedSpeed;
 

@@ -3,6 +3,7 @@ import { expect, it } from 'vitest';
 import {
   copyPath,
   goOnPath,
+  likePath,
   reproductionPath,
   routeOf,
   sessionInPath,
@@ -12,9 +13,10 @@ import {
 } from './route';
 
 it.each<[string, Route]>([
-  ['/', { page: 'home', world: '', network: '' }],
-  [sessionInPath('a&b'), { page: 'home', world: 'a&b', network: '' }],
-  [goOnPath('a&b'), { page: 'home', world: '', network: 'a&b' }],
+  ['/', { page: 'home', world: '', network: '', like: '' }],
+  [sessionInPath('a&b'), { page: 'home', world: 'a&b', network: '', like: '' }],
+  [goOnPath('a&b'), { page: 'home', world: '', network: 'a&b', like: '' }],
+  [likePath('a&b'), { page: 'home', world: '', network: '', like: 'a&b' }],
   [sessionPath('a/b'), { page: 'session', id: 'a/b' }],
   ['/sessions/x/', { page: 'session', id: 'x' }],
   ['/reproduce', { page: 'reproductions' }],

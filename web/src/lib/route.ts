@@ -2,7 +2,7 @@
 
 /** A page. */
 export type Route =
-  | { page: 'home'; world: string; network: string }
+  | { page: 'home'; world: string; network: string; like: string }
   | { page: 'session'; id: string }
   | { page: 'reproductions' }
   | { page: 'reproduction'; target: string }
@@ -16,7 +16,10 @@ export function routeOf(address: string): Route {
   const [path = '', search = ''] = address.split('?');
   const asked = new URLSearchParams(search);
   if (path === '/') {
-    return { page: 'home', world: asked.get('world') ?? '', network: asked.get('network') ?? '' };
+    const [world, network, like] = ['world', 'network', 'like'].map(
+      (name) => asked.get(name) ?? '',
+    );
+    return { page: 'home', world: world ?? '', network: network ?? '', like: like ?? '' };
   }
   const id = within(path, 'sessions');
   if (id !== null) return { page: 'session', id };
@@ -55,3 +58,6 @@ export const sessionInPath = (name: string) => `/?world=${encodeURIComponent(nam
 
 /** Address of the form for a new session that begins with the network of another. */
 export const goOnPath = (id: string) => `/?network=${encodeURIComponent(id)}`;
+
+/** Address of the form for a new session with the settings of another. */
+export const likePath = (id: string) => `/?like=${encodeURIComponent(id)}`;

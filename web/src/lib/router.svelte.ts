@@ -5,6 +5,12 @@ import { routeOf, type Route } from './route';
 
 export * from './route';
 
+/** What one page hands to the next. */
+export interface Handed {
+  /** Settings to fill into the form of a new session, as they would be typed. */
+  settings: Record<string, string>;
+}
+
 class Router {
   /** The session of the page just gone to, when it was known before. */
   known: Session | null = null;
@@ -31,13 +37,18 @@ class Router {
     };
   }
 
+  /** What was handed to the present page; it survives a reload. */
+  get handed(): Handed | null {
+    return (history.state as Handed | null) ?? null;
+  }
+
   /** Goes to a page of this site, with what is already known of the session there. */
-  go(address: string, known: Session | null = null): void {
+  go(address: string, known: Session | null = null, handed: Handed | null = null): void {
     if (this.#guard()) {
       this.held = address;
       return;
     }
-    history.pushState(null, '', address);
+    history.pushState(handed, '', address);
     this.known = known;
     this.#follow();
     scrollTo(0, 0);

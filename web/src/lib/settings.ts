@@ -1,5 +1,6 @@
 /** Settings in the form and on the session page. */
 
+import { count } from './format';
 import type { ExperimentInfo, PresetInfo, SettingInfo } from './protocol';
 
 /** The value of a setting. */
@@ -45,11 +46,14 @@ export function presetValue(setting: SettingInfo, preset: PresetInfo | undefined
 
 /** What was typed, as a value; `null` when it is none. */
 export function parsed(setting: SettingInfo, typed: string | boolean): Value | null {
-  if (typeof typed === 'boolean' || setting.kind === 'choice') return typed;
+  if (typeof typed === 'boolean' || isText(setting) || setting.kind === 'choice') return typed;
   const value = typedNumber(typed);
   if (value === null) return null;
   return setting.kind === 'integer' && !Number.isInteger(value) ? null : value;
 }
+
+/** Whether a setting is words or a table, of more than a line. */
+export const isText = ({ kind }: SettingInfo): boolean => kind === 'text';
 
 /** A number as people type it, with a comma or a true minus sign too; `null` when it is none. */
 export function typedNumber(typed: string): number | null {
@@ -107,6 +111,20 @@ export function said(value: Value | undefined): string {
   if (value === undefined) return '–';
   if (typeof value === 'boolean') return value ? 'on' : 'off';
   return String(value).replace('-', typeof value === 'number' ? '−' : '-');
+}
+
+/** A value in a few words: a long text by how much it is. */
+export function saidBriefly(value: Value | undefined): string {
+  if (typeof value !== 'string') return said(value);
+  if (value === '') return 'none';
+  const lines = value.split('\n').length;
+  return lines > 1 || value.length > 40 ? count(lines, 'line') : value;
+}
+
+/** What a session of this kind is given a number of. */
+export function trialsLabel({ family, name }: Pick<ExperimentInfo, 'family' | 'name'>): string {
+  if (family === 'path') return 'Trials';
+  return name === 'bandit' ? 'Pulls an episode' : 'Trials an episode';
 }
 
 /** The unit to show beside a number; a pure number has none. */

@@ -1,5 +1,7 @@
 /** Keys of the session page. */
 
+import type { Family } from './protocol';
+
 /** What a key asks for. */
 export type Wish = 'main' | 'step' | 'step-trial' | 'help';
 
@@ -10,6 +12,16 @@ export const SHORTCUTS: { keys: string; wish: Wish; does: string }[] = [
   { keys: 'T', wish: 'step-trial', does: 'To the end of the trial' },
   { keys: '?', wish: 'help', does: 'This list' },
 ];
+
+/** The keys as they act in a session of this kind. */
+export function shortcuts(family: Family): typeof SHORTCUTS {
+  if (family === 'path') return SHORTCUTS;
+  const does: Partial<Record<Wish, string>> = {
+    step: 'One step',
+    'step-trial': 'To the end of the episode',
+  };
+  return SHORTCUTS.map((each) => ({ ...each, does: does[each.wish] ?? each.does }));
+}
 
 /** The wish behind a key, unless it belongs to what has the focus. */
 export function wishOf(event: KeyboardEvent): Wish | null {

@@ -1,7 +1,7 @@
 /** Session states and controls in words. */
 
 import type { Control } from './api';
-import type { Ack, Session, State, StepUnit } from './protocol';
+import type { Ack, Family, Session, State, StepUnit } from './protocol';
 
 /** Kind of a state: decides its colour; icon and word always stand beside it. */
 export type Tone = 'quiet' | 'busy' | 'good' | 'warn' | 'bad';
@@ -30,9 +30,17 @@ const DONE: Record<Control, { state: State; word: string }> = {
 };
 
 /** What a control led to, e.g. "Paused at tick 132"; the state's name when it led elsewhere. */
-export function outcome(control: Control, unit: StepUnit | undefined, ack: Ack): string {
+export function outcome(
+  control: Control,
+  unit: StepUnit | undefined,
+  ack: Ack,
+  family: Family = 'path',
+): string {
   const { state, word } = DONE[control];
-  const far = unit === 'trial' ? `${word} to the end of the trial` : word;
+  const far =
+    unit === 'trial'
+      ? `${word} to the end of the ${family === 'table' ? 'episode' : 'trial'}`
+      : word;
   return `${ack.state === state ? far : STATES[ack.state].word} at tick ${ack.tick}`;
 }
 
