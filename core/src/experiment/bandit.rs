@@ -72,6 +72,20 @@ pub struct BanditEpisode {
 pub struct BanditCheckpoint {
     ticks: u64,
     done: Vec<BanditEpisode>,
+    last: Option<Levers>,
+}
+
+/// The levers of an episode and what the agent knows of them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Levers {
+    /// Episode, from 1.
+    pub episode: u32,
+    /// Strategy, by number.
+    pub strategy: usize,
+    /// What each pays in the mean, which the agent does not know.
+    pub means: Vec<f64>,
+    /// What the agent knows.
+    pub estimates: Estimates,
 }
 
 /// How a strategy did so far.
@@ -183,6 +197,7 @@ impl BanditRun {
         if now.pull < self.settings.pulls {
             self.now = Some(now);
         } else {
+            self.memory.last = Some(now.levers(episode, strategy));
             let end = now.end(episode, strategy);
             self.memory.done.push(end.clone());
             self.end = Some(end);
@@ -224,16 +239,14 @@ impl BanditRun {
         self.memory.ticks
     }
 
-    /// Strategy whose turn it is, by number.
+    /// The levers of the episode under way, or of the last; none before the first pull.
     #[must_use]
-    pub fn turn(&self) -> usize {
-        self.memory.done.len() % self.strategies.len()
-    }
-
-    /// The levers of the episode under way and what the agent knows of them; none between episodes.
-    #[must_use]
-    pub fn now(&self) -> Option<(&Bandit, &Estimates)> {
-        self.now.as_ref().map(|now| (&now.bandit, &now.estimates))
+    pub fn levers(&self) -> Option<Levers> {
+        let strategy = self.memory.done.len() % self.strategies.len();
+        match &self.now {
+            Some(now) => Some(now.levers(self.episodes_done() + 1, strategy)),
+            None => self.memory.last.clone(),
+        }
     }
 
     /// Pulls at which [`BanditEpisode::course`] was taken.
@@ -289,6 +302,15 @@ impl Now {
             self.course.push(self.regret);
         }
         paid
+    }
+
+    fn levers(&self, episode: u32, strategy: usize) -> Levers {
+        Levers {
+            episode,
+            strategy,
+            means: self.bandit.arms().iter().map(|arm| arm.mean).collect(),
+            estimates: self.estimates.clone(),
+        }
     }
 
     fn end(self, episode: u32, strategy: usize) -> BanditEpisode {

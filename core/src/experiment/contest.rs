@@ -74,7 +74,7 @@ pub struct ContestCheckpoint {
 }
 
 impl ContestCheckpoint {
-    /// Where the contest stands.
+    /// Where the contest stands; at an episode that has ended until the next begins.
     #[must_use]
     pub fn position(&self) -> Position {
         self.position
@@ -186,16 +186,24 @@ impl Contest {
     /// # Panics
     /// Never: what could go wrong was tried at the start.
     pub fn step(&mut self) -> (&ContestStep, Option<&EpisodeEnd>) {
+        self.begin();
         let (step, trial) = self.walk.step();
         let (step, trial) = (step.clone(), trial.cloned());
         self.ticks += 1;
         self.end = trial.as_ref().and_then(|trial| self.count(trial));
-        let position = self.end.as_ref().map_or(self.position, |end| end.position);
-        let step = ContestStep { tick: self.ticks, position, step, trial };
-        if self.end.is_some() {
+        let step = ContestStep { tick: self.ticks, position: self.position, step, trial };
+        (self.step.insert(step), self.end.as_ref())
+    }
+
+    /// Gives the turn to the next entrant, if an episode has ended. The first step after it does so by itself;
+    /// until then the tables of the episode that ended can be looked at.
+    ///
+    /// # Panics
+    /// Never: what could go wrong was tried at the start.
+    pub fn begin(&mut self) {
+        if self.walk.trials_done() >= self.trials {
             self.turn().expect("every setup was tried at the start");
         }
-        (self.step.insert(step), self.end.as_ref())
     }
 
     /// Takes in a trial; the end of the episode, if it was its last.
@@ -260,10 +268,16 @@ impl Contest {
         self.ticks
     }
 
-    /// Where the contest stands.
+    /// Where the contest stands; at an episode that has ended until the next begins.
     #[must_use]
     pub fn position(&self) -> Position {
         self.position
+    }
+
+    /// Trials of an episode.
+    #[must_use]
+    pub fn trials(&self) -> u32 {
+        self.trials
     }
 
     /// The entrants.

@@ -11,7 +11,7 @@ mod settings;
 mod tabular_bias;
 
 pub use bandit::{
-    BanditCheckpoint, BanditEpisode, BanditRun, BanditScore, BanditSettings, BanditStep,
+    BanditCheckpoint, BanditEpisode, BanditRun, BanditScore, BanditSettings, BanditStep, Levers,
 };
 pub use contest::{
     Contest, ContestCheckpoint, ContestStep, Entrant, EpisodeEnd, Phase, Position, Score,

@@ -227,6 +227,8 @@ impl TableRun {
             let message = "this experiment has no learner with a table to change or to advise";
             return Err(FieldError::new("experiment", message));
         };
+        // An episode that has ended learns nothing any more.
+        contest.begin();
         let (tick, trial) = (contest.ticks(), contest.walk().trials_done() + 1);
         let walk = contest.walk_mut();
         let done = match intervention {

@@ -164,7 +164,7 @@ pub(super) fn learner(contest: &mut Contest, step: Option<Box<WalkView>>) -> Lea
         episode: at.episode,
         entrant: contest.entrants()[at.entrant].name.clone(),
         training: at.phase == Phase::Training,
-        trial: walk.trials_done() + 1,
+        trial: (walk.trials_done() + 1).min(contest.trials()),
         state: number(walk.state()),
         start: number(walk.world().start()),
         ends: (0..states).filter(|state| mdp.is_absorbing(*state)).map(number).collect(),
@@ -230,22 +230,18 @@ fn advice(contest: &Contest) -> Vec<AdviceView> {
 }
 
 pub(super) fn bandit(run: &BanditRun, step: Option<Box<PullView>>) -> BanditView {
-    let (means, estimates, pulls) = match run.now() {
-        Some((bandit, known)) => (
-            bandit.arms().iter().map(|arm| arm.mean).collect(),
-            known.means().to_vec(),
-            known.pulls().to_vec(),
-        ),
-        None => Default::default(),
-    };
+    let levers = run.levers();
+    let (strategy, episode) = levers.as_ref().map_or((0, 1), |of| (of.strategy, of.episode));
+    let (means, known) = levers.map(|of| (of.means, of.estimates)).unzip();
+    let pulls = known.as_ref().map(|known| known.pulls().to_vec()).unwrap_or_default();
     BanditView {
         tick: run.ticks(),
-        episode: run.episodes_done() + 1,
-        entrant: strategy_name(run.strategies()[run.turn()]),
+        episode,
+        entrant: strategy_name(run.strategies()[strategy]),
         pull: pulls.iter().sum(),
         step,
-        means,
-        estimates,
+        means: means.unwrap_or_default(),
+        estimates: known.map(|known| known.means().to_vec()).unwrap_or_default(),
         pulls,
     }
 }
