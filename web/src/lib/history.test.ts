@@ -1,7 +1,18 @@
 import { expect, it } from 'vitest';
 
-import { addLog, addTrials, LOG_LINES, shownOf, TRIALS_KEPT, trialsOf } from './history';
+import {
+  addEpisodes,
+  addLog,
+  addTrials,
+  EPISODES_KEPT,
+  episodesOf,
+  LOG_LINES,
+  shownOf,
+  TRIALS_KEPT,
+  trialsOf,
+} from './history';
 import { sampleSession, sampleTrial } from './sample';
+import { sampleEpisode } from './table/sample';
 
 const trials = (...numbers: number[]) => numbers.map((number) => sampleTrial(number));
 const numbers = (list: { trial: number }[]) => list.map(({ trial }) => trial);
@@ -25,6 +36,17 @@ it('keeps the newest trials and says how many of all', () => {
 it('takes back the trials of a session that was reset', () => {
   expect(trialsOf(sampleSession({ trials_done: 0 }), trials(1, 2))).toEqual([]);
   expect(numbers(trialsOf(sampleSession({ trials_done: 2 }), trials(1, 2)))).toEqual([1, 2]);
+});
+
+it('keeps the newest episodes in order, none twice, and none of before a reset', () => {
+  const episodes = (...rounds: number[]) => rounds.map((round) => sampleEpisode(round, [5]));
+  const rounds = (list: { round: number }[]) => list.map(({ round }) => round);
+  expect(rounds(addEpisodes(episodes(1, 2, 3), episodes(3, 4)))).toEqual([1, 2, 3, 4]);
+  const many = episodes(...Array.from({ length: EPISODES_KEPT }, (_, index) => index + 1));
+  const next = addEpisodes(many, episodes(EPISODES_KEPT + 1));
+  expect([next.length, next[0]?.round]).toEqual([EPISODES_KEPT, 2]);
+  expect(episodesOf(sampleSession({ rounds_done: 0 }), next)).toEqual([]);
+  expect(episodesOf(sampleSession({ rounds_done: 1000 }), next)).toBe(next);
 });
 
 it('keeps the newest lines of the log', () => {

@@ -1,7 +1,17 @@
 import { describe, expect, it } from 'vitest';
 
 import type { ExperimentInfo, SettingInfo } from './protocol';
-import { changed, grouped, parsed, parsedSeed, range, said, unreadable } from './settings';
+import {
+  changed,
+  grouped,
+  parsed,
+  parsedSeed,
+  range,
+  said,
+  saidBriefly,
+  trialsLabel,
+  unreadable,
+} from './settings';
 
 function setting(key: string, kind: string, value: number | string | boolean): SettingInfo {
   return {
@@ -82,5 +92,26 @@ it('says ranges and values', () => {
     '−3',
     'after-rescue',
     '–',
+  ]);
+});
+
+it('takes words and tables as they are, also none, and says how long they are', () => {
+  const advice = setting('advice', 'text', '');
+  expect([parsed(advice, ''), parsed(advice, 'if\n')]).toEqual(['', 'if\n']);
+  const matrix = '[[1, 1, -1],\n [1, 1, 1]]';
+  expect([saidBriefly(''), saidBriefly('short'), saidBriefly(matrix), saidBriefly(3)]).toEqual([
+    'none',
+    'short',
+    '2 lines',
+    '3',
+  ]);
+});
+
+it('says what a session is given a number of', () => {
+  const label = (family: 'path' | 'table', name: string) => trialsLabel({ family, name });
+  expect([label('path', 'a'), label('table', 'labyrinth'), label('table', 'bandit')]).toEqual([
+    'Trials',
+    'Trials an episode',
+    'Pulls an episode',
   ]);
 });

@@ -67,18 +67,20 @@ export function stateBeside(task: TaskView, from: number, key: string): number {
   task.states.forEach((state, index) => {
     const there = wordsAt(state);
     if (!there || index === from) return;
-    const cost = costOf(here, there, way);
+    // Sectors lie aslant of each other; cells of a maze do not, and a leap over a wall stays in line.
+    const slant = task.kind === 'maze' ? 0 : 1;
+    const cost = costOf(here, there, way, slant);
     if (cost < least) [best, least] = [index, cost];
   });
   return best;
 }
 
-/** Distance along the direction, with what lies aside counted twice; never backwards. */
-function costOf(here: Spot, there: Spot, way: Spot): number {
+/** Distance along the direction, with what lies aside counted twice; never backwards or too far aside. */
+function costOf(here: Spot, there: Spot, way: Spot, slant: number): number {
   const [dx, dy] = [there[0] - here[0], there[1] - here[1]];
   const ahead = dx * way[0] + dy * way[1];
   const aside = Math.abs(dx * way[1]) + Math.abs(dy * way[0]);
-  return ahead > 1e-6 && ahead >= aside - 1e-6 ? ahead + 2 * aside : Infinity;
+  return ahead > 1e-6 && aside <= slant * ahead + 1e-6 ? ahead + 2 * aside : Infinity;
 }
 
 /** Without a drawing, states stand in a list. */
@@ -103,8 +105,10 @@ export function wayOf(action: string): Spot | null {
   return ways[action] ?? null;
 }
 
-/** A state in a few signs, where its whole name has no room. */
+/** A state in a few signs, where its whole name has no room; in a maze its row and column. */
 export function shortName(task: TaskView, state: number): string {
-  const name = task.states[state]?.name ?? '';
-  return task.kind === 'process' && name ? name : `#${state}`;
+  const { name = '', row = null, column = null } = task.states[state] ?? {};
+  if (task.kind === 'process' && name) return name;
+  const isCell = task.kind === 'maze' && row !== null && column !== null;
+  return isCell ? `r${row + 1} c${column + 1}` : `#${state}`;
 }
