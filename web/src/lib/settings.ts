@@ -121,9 +121,10 @@ export function saidBriefly(value: Value | undefined): string {
   return lines > 1 || value.length > 40 ? count(lines, 'line') : value;
 }
 
-/** What a session of this kind is given a number of. */
+/** What a session of this kind is given a number of; nothing where it has but one. */
 export function trialsLabel({ family, name }: Pick<ExperimentInfo, 'family' | 'name'>): string {
   if (family === 'path') return 'Trials';
+  if (name === 'horizon') return '';
   return name === 'bandit' ? 'Pulls an episode' : 'Trials an episode';
 }
 

@@ -39,6 +39,14 @@ it('compares with nobody else, nothing shorter and nothing that was touched', ()
   expect([second?.before, second?.after.here]).toEqual([null, 5]);
 });
 
+it('takes what was done in one trial together', () => {
+  const found = effects([sampleEpisode(1, [9, 5, 3], [advice(2), advice(2), advice(3)])]);
+  expect(found.map(({ trial, interventions }) => [trial, interventions.length])).toEqual([
+    [3, 1],
+    [2, 2],
+  ]);
+});
+
 it('says nothing of episodes without interventions', () => {
   expect(effects([sampleEpisode(1, [3])])).toEqual([]);
 });

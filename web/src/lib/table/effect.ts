@@ -9,12 +9,15 @@ export interface MeanOf {
   n: number;
 }
 
-/** One intervention and what became of it. */
+/** What was done to an episode in one trial, and what became of it. */
 export interface Effect {
   episode: number;
   round: number;
   entrant: string;
-  intervention: InterventionView;
+  /** Trial it fell into, from 1. */
+  trial: number;
+  /** In order. */
+  interventions: InterventionView[];
   /** Trials before it, in its episode: first and last, from 1; none when it came in the first. */
   before: Compared | null;
   /** Trials from it on. */
@@ -31,25 +34,22 @@ export interface Compared {
   others: MeanOf | null;
 }
 
-/** The effects of all interventions in finished episodes, newest first. */
+/** The effects of all interventions in finished episodes, newest first; those of one trial go together. */
 export function effects(episodes: EpisodeView[]): Effect[] {
   return episodes
-    .flatMap((episode) =>
-      touched(episode).map((intervention) => effectOf(episode, intervention, episodes)),
-    )
+    .flatMap((episode) => {
+      const trials = [...new Set(touched(episode).map(({ trial }) => trial))];
+      return trials.map((trial) => effectOf(episode, trial, episodes));
+    })
     .filter((effect) => effect !== null)
     .reverse();
 }
 
-function effectOf(
-  episode: EpisodeView,
-  intervention: InterventionView,
-  episodes: EpisodeView[],
-): Effect | null {
+function effectOf(episode: EpisodeView, trial: number, episodes: EpisodeView[]): Effect | null {
   const trials = trialsOf(episode);
   if (trials.length === 0) return null;
   const others = episodes.filter((other) => isAlike(episode, other)).map(trialsOf);
-  const from = Math.min(Math.max(1, intervention.trial), trials.length);
+  const from = Math.min(Math.max(1, trial), trials.length);
   const compare = (first: number, last: number): Compared => ({
     first,
     last,
@@ -60,7 +60,8 @@ function effectOf(
     episode: episode.episode,
     round: episode.round,
     entrant: episode.entrant,
-    intervention,
+    trial,
+    interventions: touched(episode).filter((each) => each.trial === trial),
     before: from > 1 ? compare(1, from - 1) : null,
     after: compare(from, trials.length),
   };

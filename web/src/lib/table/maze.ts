@@ -24,7 +24,7 @@ export interface MazeFrame {
 }
 
 /** Cells that are smaller show no numbers. */
-const NUMBERED = 46;
+const NUMBERED = 56;
 /** Cells that are smaller show no arrows. */
 const ARROWED = 16;
 
@@ -135,10 +135,7 @@ function drawArrows(
   learner: LearnerView,
   state: number,
 ) {
-  const row = learner.values[state] ?? [];
-  const best = greedy(row, learner.weights[state]);
-  // Where all actions are equal nothing is known, and four arrows would say nothing.
-  if (best.length === row.length) return;
+  const best = greedy(learner.values[state] ?? [], learner.weights[state]);
   context.lineWidth = Math.max(1.2, side / 28);
   for (const action of best) {
     const way = wayOf(task.actions[action] ?? '');

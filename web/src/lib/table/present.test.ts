@@ -49,4 +49,6 @@ it('leaves out what is excluded, and ends', () => {
 it('finds the best among what may be chosen', () => {
   expect(greedy([1, 5, 5], [1, 1, 1])).toEqual([1, 2]);
   expect(greedy([1, 5, 2], [1, 0, 1])).toEqual([2]);
+  // All are equal, or there is but one.
+  expect([greedy([3, 3, 9], [1, 1, 0]), greedy([3, 3, 9], [0, 1, 0])]).toEqual([[], [1]]);
 });

@@ -51,9 +51,10 @@ export function isExcluded(weights: number[][], state: number, action: number): 
   return weights[state]?.[action] === 0;
 }
 
-/** The best of the actions that may be chosen; several when they are equal. */
+/** The best of the actions that may be chosen; none where all are equal, since nothing is known there. */
 export function greedy(row: number[], weights: number[] | undefined): number[] {
   const open = row.flatMap((_, action) => (weights?.[action] === 0 ? [] : [action]));
   const most = Math.max(...open.map((action) => row[action] ?? -Infinity));
-  return open.filter((action) => row[action] === most);
+  const best = open.filter((action) => row[action] === most);
+  return best.length === open.length && open.length > 1 ? [] : best;
 }
