@@ -6,6 +6,7 @@ mod controls;
 mod experiments;
 mod extract;
 mod files;
+mod fusion;
 mod guard;
 mod openapi;
 mod problem;

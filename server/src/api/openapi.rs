@@ -8,8 +8,8 @@ use utoipa_axum::routes;
 use utoipa_swagger_ui::SwaggerUi;
 
 use super::{
-    App, arena, controls, experiments, files, reproductions, sessions, starts, stream, tables,
-    ticks, traces, worlds,
+    App, arena, controls, experiments, files, fusion, reproductions, sessions, starts, stream,
+    tables, ticks, traces, worlds,
 };
 
 #[derive(OpenApi)]
@@ -64,6 +64,7 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(reproductions::rows))
         .routes(routes!(reproductions::curves))
         .routes(routes!(reproductions::picture))
+        .routes(routes!(fusion::fuse))
         .routes(routes!(stream::open))
         .merge(world_routes())
 }

@@ -4,6 +4,7 @@
 //! generated from these types, and a test fails when it is stale.
 
 mod experiment;
+mod fusion;
 mod network;
 mod reproduction;
 mod session;
@@ -16,6 +17,7 @@ mod world;
 mod yardstick;
 
 pub use experiment::*;
+pub use fusion::*;
 pub use network::*;
 pub use reproduction::*;
 pub use session::*;

@@ -41,7 +41,7 @@ fn declarations(config: &Config) -> Vec<String> {
         EpisodeView, OutcomeOfEpisode, InterventionView, ScoresView, ScoreView, IntervalView,
         CompetitorCurve, TableView, LearnerView, PlanningView, ModelView, BackupView, QueueView,
         AdviceView, BanditView, HorizonView, TaskView, StateView, TransitionView, FeatureView, PolicyView,
-        TableResult, AdviceRequest, TableRequest, TableFile,
+        GaussianView, LostAtSea, TableResult, AdviceRequest, TableRequest, TableFile,
         ReproductionTarget, ReproductionArm, ReproductionProgress, ReproductionState,
         Reproduction, ReproductionRow, Verdict, ReproductionCurve, ReproductionPoint,
         ReproductionPicture,

@@ -5,6 +5,7 @@ import type {
   Ack,
   AlteredStartView,
   ExperimentInfo,
+  LostAtSea,
   NeuronView,
   NewSession,
   Problem,
@@ -55,6 +56,11 @@ export const alteredStarts = (id: string, at: string) =>
 /** Control steps of a session, both ends included. */
 export const ticks = (id: string, from: number, to: number) =>
   call<TickView[]>('GET', `${path(id)}/ticks?${query({ from, to })}`);
+
+/** What a star and a light beacon say together about a position. */
+export const lostAtSea = (
+  asked: Record<'star' | 'star_sigma' | 'beacon' | 'beacon_sigma', number>,
+) => call<LostAtSea>('GET', `lost-at-sea?${query(asked)}`);
 
 /** A control of a session; `step` may go to the end of the trial. */
 export type Control = 'start' | 'pause' | 'resume' | 'step' | 'stop' | 'reset';

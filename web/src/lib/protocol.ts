@@ -1270,6 +1270,28 @@ lead: Array<number>,
 /** Reward of every step after them. */
 then: number, };
 
+/** A normal distribution over a position. */
+export type GaussianView = {
+/** Mean. */
+mean: number,
+/** Standard deviation. */
+sigma: number, };
+
+/** Lost at sea: what a star and a light beacon say, and what both say together. */
+export type LostAtSea = {
+/** Measurement z₁ of the star with σ₁; the estimate before the beacon is seen. */
+star: GaussianView,
+/** Measurement z₂ of the beacon with σ₂. */
+beacon: GaussianView,
+/** z₂ − x̂, what the beacon says that was not expected. */
+innovation: number,
+/** Gain K = σ₁² / (σ₁² + σ₂²): the share of the innovation that is believed. */
+gain: number,
+/** The estimate after both, recursively: Eq. (1.10) and (1.11). */
+fused: GaussianView,
+/** The same in one batch: (σ₂² z₁ + σ₁² z₂) / (σ₁² + σ₂²). */
+batch: GaussianView, };
+
 /** The whole result of a tabular run: what `run --json` prints and `report.json` holds. */
 export type TableResult = {
 /** Name of the experiment. */

@@ -20,6 +20,7 @@ it.each<[string, Route]>([
   [sessionPath('a/b'), { page: 'session', id: 'a/b' }],
   ['/sessions/x/', { page: 'session', id: 'x' }],
   ['/reproduce', { page: 'reproductions' }],
+  ['/lost-at-sea', { page: 'lost-at-sea' }],
   [reproductionPath('table 5.1'), { page: 'reproduction', target: 'table 5.1' }],
   ['/worlds', { page: 'worlds' }],
   ['/worlds/', { page: 'worlds' }],

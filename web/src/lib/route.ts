@@ -9,6 +9,7 @@ export type Route =
   | { page: 'worlds' }
   | { page: 'new-world'; from: string }
   | { page: 'world'; name: string }
+  | { page: 'lost-at-sea' }
   | { page: 'unknown' };
 
 /** The page behind an address: path and query. */
@@ -26,6 +27,7 @@ export function routeOf(address: string): Route {
   if (/^\/reproduce\/?$/.test(path)) return { page: 'reproductions' };
   const target = within(path, 'reproduce');
   if (target !== null) return { page: 'reproduction', target };
+  if (/^\/lost-at-sea\/?$/.test(path)) return { page: 'lost-at-sea' };
   if (/^\/worlds\/?$/.test(path)) return { page: 'worlds' };
   const name = within(path, 'worlds');
   if (name === 'new') return { page: 'new-world', from: asked.get('from') ?? '' };
