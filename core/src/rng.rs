@@ -17,6 +17,14 @@ pub enum Purpose {
     Odometry = 1,
     /// The stochastic unit, Eq. (5.12).
     Exploration = 2,
+    /// What sonars hear one after the other: noise, lost echoes, crosstalk.
+    Echo = 3,
+    /// Where people walk.
+    People = 4,
+    /// Where a run starts.
+    Start = 5,
+    /// Noise of the compass.
+    Compass = 6,
     /// Choosing an action in a tabular world.
     Selection = 8,
     /// What an action of a stochastic tabular world leads to.

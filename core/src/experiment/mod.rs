@@ -7,6 +7,7 @@ mod gridworld;
 mod horizon;
 mod labyrinth;
 mod minimum_cost_path;
+mod navigation;
 mod settings;
 mod tabular_bias;
 
@@ -22,5 +23,10 @@ pub use horizon::{HorizonRun, HorizonSettings, HorizonStep, Model};
 pub use labyrinth::{ContestError, LabyrinthExtras, LabyrinthSettings};
 pub use minimum_cost_path::{
     AlteredStart, Checkpoint, Excursion, MinimumCostPath, NeuronRef, SetupError,
+};
+pub use navigation::{
+    ApproachEnd, ApproachRun, BlockLayout, BlockStart, BlockWorldSettings, Bump, Contact,
+    CorridorSettings, Cycle, MethodScore, NavigationCheckpoint, NavigationError, NavigationRun,
+    RegionState, RunEnd, WallApproachSettings,
 };
 pub use settings::{OnCollision, Settings};

@@ -1,8 +1,17 @@
-//! Fuzzy sets and inference, section 2.6.
+//! Fuzzy sets, rules and inference, section 2.6.
 
 pub mod advice;
 mod mamdani;
+mod norms;
+mod rules;
 mod sets;
 
-pub use mamdani::{Inference, centre_of_area};
-pub use sets::{Triangle, falling};
+pub use mamdani::{
+    Defuzzifier, Inference, centre_of_area, centre_of_values, mean_of_greatest, mean_of_maximum,
+};
+pub use norms::Norms;
+pub use rules::{
+    Consequent, Explained, Firing, Input, MOST_INPUTS, MOST_OUTPUTS, MOST_SETS, NamedSet, Output,
+    Rule, RuleBase, RuleError,
+};
+pub use sets::{Set, Shape, Trapezoid, Triangle, falling};

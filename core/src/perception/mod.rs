@@ -1,5 +1,15 @@
 //! Estimates from noisy readings.
 
+mod calibration;
+mod consistency;
+mod fusion;
+mod gains;
+mod hashing;
 mod kalman;
 
+pub use calibration::{Calibration, CalibrationReport, Pair, Place, PlaceError};
+pub use consistency::Consistency;
+pub use fusion::{Fusion, FusionRule, Method, RegionDepth};
+pub use gains::Gains;
+pub use hashing::{Hashing, HashingError, MOST_REGIONS, MedianRank, ReadingError, Snapshot};
 pub use kalman::{Correction, Kalman, KalmanError, LinearModel, lost_at_sea};

@@ -44,16 +44,41 @@ impl Body {
     pub fn clearance_m(&self, world: &World, position: Vec2, direction: Vec2) -> f64 {
         match *self {
             Self::Round { radius_m } => world.surface_distance_m(position) - radius_m,
+            Self::Box { .. } => world.nearest_to_body_m(position, self.reach_m(), |wall| {
+                self.wall_distance_m(position, direction, wall)
+            }),
+        }
+    }
+
+    /// Distance from the outline to one piece of wall, metres; not above 0 when it touches it.
+    #[must_use]
+    pub(crate) fn wall_distance_m(&self, position: Vec2, direction: Vec2, wall: Segment) -> f64 {
+        match *self {
+            Self::Round { radius_m } => wall.distance_m(position) - radius_m,
             Self::Box { half_length_m, half_width_m } => {
                 let half = Vec2::new(half_length_m, half_width_m);
-                let into_frame =
-                    |point: Vec2| rotate(point - position, Vec2::new(direction.x, -direction.y));
-                world.nearest_to_body_m(position, self.reach_m(), |wall| {
-                    box_distance_m(half, Segment { a: into_frame(wall.a), b: into_frame(wall.b) })
-                })
+                let into_frame = |point: Vec2| into_frame(point, position, direction);
+                box_distance_m(half, Segment { a: into_frame(wall.a), b: into_frame(wall.b) })
             }
         }
     }
+
+    /// Distance from the outline to a point, metres; not above 0 within it.
+    #[must_use]
+    pub(crate) fn point_distance_m(&self, position: Vec2, direction: Vec2, point: Vec2) -> f64 {
+        match *self {
+            Self::Round { radius_m } => (point - position).norm() - radius_m,
+            Self::Box { half_length_m, half_width_m } => {
+                let half = Vec2::new(half_length_m, half_width_m);
+                outside(half, into_frame(point, position, direction)).norm()
+            }
+        }
+    }
+}
+
+/// A point in the frame of a body at a position that heads along `direction`.
+fn into_frame(point: Vec2, position: Vec2, direction: Vec2) -> Vec2 {
+    rotate(point - position, Vec2::new(direction.x, -direction.y))
 }
 
 /// Distance from a rectangle round the origin, given by half its sides, to a segment; 0 when they meet.

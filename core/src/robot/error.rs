@@ -37,6 +37,17 @@ pub enum RobotError {
         /// What was given.
         found: usize,
     },
+    /// A firing order that does not fire each sonar once.
+    #[error(
+        "`equipment.scanner.orders.{order}` must name each of the {sonars} sonars once, and fit into \
+         `equipment.scanner.slots`"
+    )]
+    Order {
+        /// `staggered` or `naive`.
+        order: &'static str,
+        /// Sonars there are.
+        sonars: usize,
+    },
     /// Sonars can be spread evenly only round a circle.
     #[error("`ring` needs a round `body`; give a rectangular one its `sonars` one by one")]
     RingOnBox,
@@ -52,6 +63,7 @@ impl RobotError {
             Self::Body => "body",
             Self::NoSonars => "sonars",
             Self::Count { field, .. } => field,
+            Self::Order { .. } => "equipment.scanner.orders",
             Self::RingOnBox => "ring",
         }
     }

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Equipment;
+
 /// A robot as written down in a file. Lengths in metres, angles in degrees; the frame is the robot's:
 /// x ahead, y to the left, origin where it turns.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -23,6 +25,9 @@ pub struct RobotFile {
     /// Sonars one by one, counter-clockwise; instead of `ring`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sonars: Vec<SonarFile>,
+    /// What the experiments of chapter 2 need beside.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub equipment: Option<Equipment>,
 }
 
 /// A circle (`radius_m`) or a rectangle (`length_m` along the heading and `width_m`).

@@ -4,22 +4,30 @@
 //! floor and where its sonars sit. [`SimulatedRobot`] puts one into a world.
 
 mod body;
+mod drive;
+mod equipment;
 mod error;
 #[cfg(test)]
 pub(crate) mod examples;
 mod file;
 mod motion;
 mod ring;
+mod scanner;
 mod simulated;
 
 use std::f64::consts::TAU;
 
 pub use body::Body;
+pub use drive::{Command, Drive};
+pub use equipment::{
+    BumperSpec, CompassSpec, DriveSpec, Equipment, FiringOrder, OrdersSpec, ScannerSpec,
+};
 pub use error::RobotError;
 pub use file::{BodyFile, RobotFile, SonarFile};
 pub(crate) use motion::Course;
 pub use motion::Motion;
 pub use ring::{MOST_SONARS, Mount, Readings};
+pub use scanner::{Echo, NoiseLevel, Reading, Scanner};
 pub use simulated::{Sensed, SimulatedRobot, SimulationSettings};
 
 use crate::geometry::{Vec2, unit};
@@ -51,6 +59,7 @@ pub struct Robot {
     body: Body,
     sonars: Vec<Mount>,
     ring: bool,
+    equipment: Option<Equipment>,
 }
 
 impl Robot {
@@ -68,6 +77,9 @@ impl Robot {
             (None, sonars @ [_, ..]) => mounts(sonars)?,
             _ => return Err(RobotError::NoSonars),
         };
+        if let Some(equipment) = &file.equipment {
+            equipment.check(sonars.len())?;
+        }
         Ok(Self {
             name: file.name.clone(),
             title: file.title.clone(),
@@ -76,6 +88,7 @@ impl Robot {
             body,
             sonars,
             ring: file.ring.is_some(),
+            equipment: file.equipment.clone(),
         })
     }
 
@@ -113,6 +126,12 @@ impl Robot {
     #[must_use]
     pub fn sonars(&self) -> &[Mount] {
         &self.sonars
+    }
+
+    /// Scanner, drive and other equipment, for the experiments of chapter 2.
+    #[must_use]
+    pub fn equipment(&self) -> Option<&Equipment> {
+        self.equipment.as_ref()
     }
 
     /// Whether the sonars are spread evenly round the body.

@@ -6,6 +6,7 @@
 //! ([`World::region_at`], Algorithm 8 of section 5.6). All coordinates are in the world frame, in
 //! metres.
 
+mod arena;
 mod bearing;
 mod check;
 mod dial;
@@ -17,6 +18,7 @@ mod file;
 pub mod map;
 mod nearest;
 mod partition;
+mod people;
 mod ray;
 mod reach;
 mod region;
@@ -24,10 +26,14 @@ mod scan;
 mod segments;
 mod tree;
 
+pub use arena::{
+    Arena, ArenaError, Cone, Corner, Face, MOST_RAYS, Near, Nearest, Ring, Round, Sight, Surface,
+};
 pub use check::{EXTENT_LIMIT_M, REGION_LIMIT, WALL_LIMIT};
 pub use error::WorldError;
 pub use file::{Axis, GoalFile, HomeFile, RegionFile, RuleFile, WorldFile};
 pub use partition::{DEFAULT_REGIONS, propose_regions, way_m};
+pub use people::{Crossing, Passage, People, PeopleError, Person};
 pub use ray::Hit;
 pub use region::{HalfPlane, Region};
 pub use scan::{RayFan, RayRing};

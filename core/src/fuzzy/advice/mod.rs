@@ -14,6 +14,8 @@
 mod lexer;
 mod parser;
 
+use super::Norms;
+
 pub use parser::parse;
 
 /// Most characters of a text of advice.
@@ -102,9 +104,9 @@ impl Condition {
         match self {
             Self::Term { feature, term } => known(*feature, *term),
             Self::Made(name) => made[*name],
-            Self::Not(inner) => 1.0 - inner.degree(known, made),
-            Self::And(a, b) => a.degree(known, made).min(b.degree(known, made)),
-            Self::Or(a, b) => a.degree(known, made).max(b.degree(known, made)),
+            Self::Not(inner) => Norms::complement(inner.degree(known, made)),
+            Self::And(a, b) => Norms::Zadeh.and(a.degree(known, made), b.degree(known, made)),
+            Self::Or(a, b) => Norms::Zadeh.or(a.degree(known, made), b.degree(known, made)),
         }
     }
 }

@@ -55,6 +55,7 @@ pub(super) fn robot() -> Result<Robot, RobotError> {
         ring: Some(24),
         body: BodyFile { radius_m: Some(RADIUS_M), ..BodyFile::default() },
         sonars: Vec::new(),
+        equipment: None,
     })
 }
 

@@ -1,0 +1,325 @@
+//! A controlled run as a state machine: the block world and the corridor.
+
+use std::sync::Arc;
+
+use super::checkpoint::{NavigationCheckpoint, Progress};
+use super::cycle::{Cycle, RegionState};
+use super::error::NavigationError;
+use super::score::{RunEnd, Tally};
+use super::vehicle::{Outfit, Vehicle};
+use super::{BlockWorldSettings, CorridorSettings};
+use crate::fuzzy::{Explained, RuleBase};
+use crate::geometry::Pose;
+use crate::perception::{Fusion, FusionRule, Hashing, Method};
+use crate::rng::{Purpose, stream};
+use crate::robot::{
+    Command, Drive, DriveSpec, FiringOrder, Mount, NoiseLevel, Robot, Scanner, ScannerSpec,
+};
+use crate::world::{Arena, Passage, People, Person};
+use rand_chacha::ChaCha8Rng;
+
+/// Where a run starts.
+#[derive(Clone, Debug)]
+pub(super) enum Starts {
+    /// Round a pose, spread evenly by so much to the side, in metres, and in heading, in radians.
+    Round { pose: Pose, aside_m: f64, turned_rad: f64 },
+    /// Anywhere on the floor with so much clearance, metres.
+    Anywhere { clearance_m: f64 },
+}
+
+/// What a controlled run is made of.
+#[derive(Clone, Debug)]
+pub(super) struct Setup {
+    pub(super) outfit: Outfit,
+    pub(super) mounts: Vec<Mount>,
+    pub(super) scanner: ScannerSpec,
+    pub(super) order: FiringOrder,
+    pub(super) noise: NoiseLevel,
+    pub(super) drive: DriveSpec,
+    pub(super) hashing: Hashing,
+    pub(super) fusion: FusionRule,
+    pub(super) method: Method,
+    pub(super) starts: Starts,
+    pub(super) doors: Vec<Passage>,
+    pub(super) people: usize,
+    /// Length and half width of the corridor that people walk in, metres.
+    pub(super) corridor_m: [f64; 2],
+    /// x at which the run is done, metres; none where it has no end.
+    pub(super) finish_m: Option<f64>,
+    pub(super) limit_s: f64,
+}
+
+/// A controlled robot as a state machine, one cycle at a time; after a run the next begins.
+#[derive(Debug)]
+pub struct NavigationRun {
+    setup: Setup,
+    rules: Arc<RuleBase>,
+    seed: u64,
+    progress: Progress,
+    /// The run under way.
+    vehicle: Option<Vehicle>,
+    tally: Tally,
+    command: Command,
+    cycle: Option<Cycle>,
+    end: Option<RunEnd>,
+}
+
+impl NavigationRun {
+    /// The experiment `corridor`.
+    ///
+    /// # Errors
+    /// When the robot, the rules or two settings do not fit together.
+    pub fn corridor(
+        robot: &Robot,
+        rules: Arc<RuleBase>,
+        settings: &CorridorSettings,
+        seed: u64,
+    ) -> Result<Self, NavigationError> {
+        Self::new(settings.setup(robot)?, rules, seed)
+    }
+
+    /// The experiment `block-world`.
+    ///
+    /// # Errors
+    /// When the robot, the rules or two settings do not fit together.
+    pub fn block_world(
+        robot: &Robot,
+        rules: Arc<RuleBase>,
+        settings: &BlockWorldSettings,
+        seed: u64,
+    ) -> Result<Self, NavigationError> {
+        Self::new(settings.setup(robot)?, rules, seed)
+    }
+
+    fn new(setup: Setup, rules: Arc<RuleBase>, seed: u64) -> Result<Self, NavigationError> {
+        check(&rules, setup.hashing.regions().len())?;
+        Ok(Self {
+            rules,
+            seed,
+            progress: Progress::new(setup.method, setup.mounts.len()),
+            vehicle: None,
+            tally: Tally::default(),
+            command: Command::default(),
+            cycle: None,
+            end: None,
+            setup,
+        })
+    }
+
+    /// Goes on after a checkpoint, to the same bits that a run never stopped gives.
+    ///
+    /// # Errors
+    /// When the checkpoint is of a robot with other sonars or names a method that there is not.
+    pub fn resumed(self, checkpoint: &NavigationCheckpoint) -> Result<Self, NavigationError> {
+        Ok(Self { progress: self.progress.resumed(checkpoint)?, ..self })
+    }
+
+    /// State after the last finished run; none while one is under way.
+    #[must_use]
+    pub fn checkpoint(&self) -> Option<NavigationCheckpoint> {
+        self.vehicle.is_none().then(|| self.progress.checkpoint())
+    }
+
+    /// Changes the method that drives, from the next cycle on.
+    pub fn set_method(&mut self, method: Method) {
+        self.progress.method = method;
+    }
+
+    /// The method that drives.
+    #[must_use]
+    pub fn method(&self) -> Method {
+        self.progress.method
+    }
+
+    /// Lets a sonar fall silent, or answer again, from the next cycle on.
+    pub fn silence(&mut self, sonar: usize, silent: bool) {
+        if let Some(state) = self.progress.silent.get_mut(sonar) {
+            *state = silent;
+        }
+        if let Some(vehicle) = &mut self.vehicle {
+            vehicle.scanner.silence(sonar, silent);
+        }
+    }
+
+    /// One cycle. The second part is there when the run ended with it; the next then begins the next.
+    pub fn step(&mut self) -> (&Cycle, Option<&RunEnd>) {
+        let mut vehicle = match self.vehicle.take() {
+            Some(vehicle) => vehicle,
+            None => self.begin(),
+        };
+        let bump = vehicle.cycle(self.command);
+        self.progress.ticks += 1;
+        let regions = vehicle.regions();
+        let blind = regions.iter().position(|region| region.depth.is_none());
+        let inference = blind.is_none().then(|| self.infer(&regions, vehicle.drive.speed));
+        self.command = inference.as_ref().map(command).unwrap_or_default();
+        let cycle = Cycle {
+            tick: self.progress.ticks,
+            run: self.progress.runs + 1,
+            cycle: self.cycles() + 1,
+            time_s: vehicle.time_s(),
+            method: self.progress.method,
+            pose: vehicle.drive.pose,
+            speed: vehicle.drive.speed,
+            compass_rad: vehicle.compass_rad(),
+            motor_load: vehicle.motor_load(),
+            readings: vehicle.scanner.readings().to_vec(),
+            regions,
+            inference,
+            command: self.command,
+            bump,
+            backing_off: vehicle.is_backing_off(),
+            clearance_m: vehicle.clearance_m(),
+            people: vehicle.people.everybody().to_vec(),
+            blind,
+        };
+        self.tally.take(&cycle, &self.setup.doors);
+        let done = self.setup.finish_m.is_some_and(|finish_m| cycle.pose.x_m > finish_m);
+        // A blind robot has been told to stop, and does so within a few cycles.
+        let stopped = blind.is_some() && cycle.speed.v_m_s.abs() < 1e-3;
+        let over = done || stopped || cycle.time_s >= self.setup.limit_s - 1e-9;
+        self.end = over.then(|| self.tally.end(&cycle, done));
+        if over {
+            self.progress.runs += 1;
+        } else {
+            self.vehicle = Some(vehicle);
+        }
+        (self.cycle.insert(cycle), self.end.as_ref())
+    }
+
+    fn cycles(&self) -> u32 {
+        let last = self.cycle.as_ref().filter(|cycle| cycle.run == self.progress.runs + 1);
+        last.map_or(0, |cycle| cycle.cycle)
+    }
+
+    fn infer(&self, regions: &[RegionState], speed: Command) -> Explained {
+        let depths = regions.iter().filter_map(|region| region.depth);
+        let depths = depths.map(|depth| depth.by(self.progress.method));
+        let inputs: Vec<f64> = depths.chain([speed.v_m_s * 100.0]).collect();
+        self.rules.explain(&inputs)
+    }
+
+    fn begin(&mut self) -> Vehicle {
+        let setup = &self.setup;
+        let rng = |purpose| stream(self.seed, self.progress.runs, purpose);
+        let pose = setup.start(&mut rng(Purpose::Start));
+        let mut scanner = Scanner::new(
+            &setup.scanner,
+            &setup.mounts,
+            setup.order,
+            setup.noise,
+            rng(Purpose::Echo),
+        );
+        for (sonar, &silent) in self.progress.silent.iter().enumerate() {
+            scanner.silence(sonar, silent);
+        }
+        let doors = setup.doors.clone();
+        let people = People::anywhere(setup.people, setup.corridor_m, doors, rng(Purpose::People));
+        self.tally = Tally::new(pose, setup.doors.len());
+        self.command = Command::default();
+        Vehicle::new(
+            setup.outfit.clone(),
+            Drive::new(&setup.drive, pose),
+            scanner,
+            Fusion::new(setup.hashing.clone(), setup.fusion),
+            people,
+            rng(Purpose::Compass),
+        )
+    }
+
+    /// Runs done.
+    #[must_use]
+    pub fn runs_done(&self) -> u32 {
+        self.progress.runs
+    }
+
+    /// Cycles done.
+    #[must_use]
+    pub fn ticks(&self) -> u64 {
+        self.progress.ticks
+    }
+
+    /// The floor.
+    #[must_use]
+    pub fn arena(&self) -> &Arena {
+        &self.setup.outfit.arena
+    }
+
+    /// The doors.
+    #[must_use]
+    pub fn doors(&self) -> &[Passage] {
+        &self.setup.doors
+    }
+
+    /// The rules.
+    #[must_use]
+    pub fn rules(&self) -> &RuleBase {
+        &self.rules
+    }
+
+    /// The sonars of each region.
+    #[must_use]
+    pub fn hashing(&self) -> &Hashing {
+        &self.setup.hashing
+    }
+
+    /// The sonars where they sit on this robot.
+    #[must_use]
+    pub fn mounts(&self) -> &[Mount] {
+        &self.setup.mounts
+    }
+
+    /// Outline of this robot.
+    #[must_use]
+    pub fn body(&self) -> crate::robot::Body {
+        self.setup.outfit.body
+    }
+
+    /// People as they are; none between runs.
+    #[must_use]
+    pub fn people(&self) -> &[Person] {
+        self.vehicle.as_ref().map_or(&[], |vehicle| vehicle.people.everybody())
+    }
+}
+
+impl Setup {
+    fn start(&self, rng: &mut ChaCha8Rng) -> Pose {
+        use rand::RngExt;
+        match self.starts {
+            Starts::Round { pose, aside_m, turned_rad } => {
+                let aside_m = rng.random_range(-aside_m..=aside_m);
+                let turned_rad = rng.random_range(-turned_rad..=turned_rad);
+                Pose::new(pose.x_m, pose.y_m + aside_m, pose.heading_rad + turned_rad)
+            }
+            Starts::Anywhere { clearance_m } => {
+                let [x0, y0, x1, y1] = self.outfit.arena.bounds_m();
+                let pi = std::f64::consts::PI;
+                loop {
+                    let (x, y) = (rng.random_range(x0..x1), rng.random_range(y0..y1));
+                    let pose = Pose::new(x, y, rng.random_range(-pi..pi));
+                    let Outfit { arena, body, .. } = &self.outfit;
+                    if super::vehicle::stands_free(arena, *body, pose, clearance_m) {
+                        return pose;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The outputs of the rules as a command.
+fn command(inference: &Explained) -> Command {
+    let [v_cm_s, w_deg_s] = inference.outputs;
+    Command { v_m_s: v_cm_s / 100.0, w_rad_s: w_deg_s.to_radians() }
+}
+
+/// Whether rules are for so many regions and the velocity, and give velocity and turn.
+fn check(rules: &RuleBase, regions: usize) -> Result<(), NavigationError> {
+    let units = |units: Vec<&str>| units.join(", ");
+    let inputs = units(rules.inputs().iter().map(|input| input.unit.as_str()).collect());
+    let outputs = units(rules.outputs().iter().map(|output| output.unit.as_str()).collect());
+    let found = format!("{inputs} -> {outputs}");
+    let wanted = units([vec!["m"; regions], vec!["cm/s"]].concat());
+    let expected = format!("{wanted} -> cm/s, deg/s");
+    if found == expected { Ok(()) } else { Err(NavigationError::Rules { expected, found }) }
+}

@@ -1,0 +1,269 @@
+//! What the deviation ς of a sonar is: Eq. (2.8) as a procedure.
+//!
+//! One sonar alone stands at the places that a robot could face, at different distances and angles, and
+//! pairs of the true and the measured distance are taken. NOTE: the thesis names the places; their
+//! layout, 2000 pairs at each, distances from 0.2 to 1.9 m and angles of up to 30° are ours. Truth is the
+//! nearest surface in the cone. Nothing else is fired, so there is no crosstalk; what it adds when the
+//! robot drives is what the factor k > 1 stands for.
+
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+use crate::geometry::{Pose, Vec2, unit};
+use crate::rng::{Purpose, stream};
+use crate::robot::{Equipment, FiringOrder, Mount, NoiseLevel, Reading, Scanner};
+use crate::world::{Arena, Near, Ring, Surface};
+
+/// Distances and angles that pairs are taken at.
+const DISTANCES_M: [f64; 2] = [0.2, 1.9];
+const ANGLE_DEG: f64 = 30.0;
+/// Half the side of the room that holds a place, so that its other walls are out of range, metres.
+const FAR_M: f64 = 20.0;
+/// Section 2.9: the width of a door, the length of the corridor is beyond range; its width is ours.
+const HALF_CORRIDOR_M: f64 = 1.2;
+const THICKNESS_M: f64 = 0.15;
+
+/// Where the sonar stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Before a wall.
+    Wall,
+    /// In the corner of a room.
+    Corner,
+    /// In a corridor, looking along it.
+    Corridor,
+    /// Before the edge of a door.
+    DoorEdge,
+    /// Where nothing is in range.
+    FreeWay,
+}
+
+impl Place {
+    /// All of them, in the order they are visited.
+    pub const ALL: [Self; 5] =
+        [Self::Wall, Self::Corner, Self::Corridor, Self::DoorEdge, Self::FreeWay];
+
+    /// Name for people.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Wall => "wall",
+            Self::Corner => "corner",
+            Self::Corridor => "corridor",
+            Self::DoorEdge => "door edge",
+            Self::FreeWay => "free way",
+        }
+    }
+
+    /// The floor: a room, with what makes the place at the origin, ahead of which is +x.
+    fn arena(self) -> Arena {
+        let far = FAR_M;
+        let wide = match self {
+            Self::Corridor => HALF_CORRIDOR_M,
+            _ => far,
+        };
+        let ends = match self {
+            Self::Wall => (-far, 0.0, -wide, wide),
+            // The corner is at the origin, between walls ahead and to the left.
+            Self::Corner => (-far, 0.0, -wide, 0.0),
+            Self::Corridor | Self::DoorEdge | Self::FreeWay => (-far, far, -wide, wide),
+        };
+        let (x0, x1, y0, y1) = ends;
+        let room = ring([[x0, y0], [x1, y0], [x1, y1], [x0, y1]], Surface::Wall);
+        // A wall to the left of the origin that ends there.
+        let frame = [[0.0, 0.0], [0.0, far - 1.0], [THICKNESS_M, far - 1.0], [THICKNESS_M, 0.0]];
+        let frame = (self == Self::DoorEdge).then(|| ring(frame, Surface::Door));
+        Arena::new([room].into_iter().chain(frame).collect()).expect("rings that bound a floor")
+    }
+
+    /// Where the sonar stands and looks for a distance in metres and an angle.
+    fn pose(self, distance_m: f64, angle_rad: f64) -> Pose {
+        let (place, ahead_rad) = match self {
+            Self::Corner => {
+                (unit(-0.75 * std::f64::consts::PI) * distance_m, std::f64::consts::FRAC_PI_4)
+            }
+            // So far from the left wall.
+            Self::Corridor => (Vec2::new(0.0, HALF_CORRIDOR_M - distance_m), 0.0),
+            Self::Wall | Self::DoorEdge | Self::FreeWay => (Vec2::new(-distance_m, 0.0), 0.0),
+        };
+        Pose::new(place.x, place.y, ahead_rad + angle_rad)
+    }
+}
+
+fn ring(points: [[f64; 2]; 4], surface: Surface) -> Ring {
+    Ring { points: points.map(Vec2::from).to_vec(), surfaces: vec![surface; 4] }
+}
+
+/// One pair of distances.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair {
+    /// Number, from 1.
+    pub tick: u64,
+    /// Where.
+    pub place: Place,
+    /// d: the nearest surface in the cone, metres.
+    pub truth_m: f64,
+    /// r.
+    pub reading: Reading,
+}
+
+/// What the pairs of a place come to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaceError {
+    /// Where.
+    pub place: Place,
+    /// Pairs taken.
+    pub pairs: u64,
+    /// Mean square of d − r, m².
+    pub mean_square: f64,
+}
+
+/// What all pairs come to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CalibrationReport {
+    /// Place by place.
+    pub places: Vec<PlaceError>,
+    /// Mean square of d − r over all places, m².
+    pub mean_square: f64,
+    /// k of Eq. (2.8).
+    pub factor: f64,
+    /// ς² = k times the mean square, m².
+    pub variance: f64,
+    /// ς, metres.
+    pub deviation_m: f64,
+}
+
+/// The procedure as a state machine, one pair at a time.
+#[derive(Debug)]
+pub struct Calibration {
+    scanner: Scanner,
+    slots: usize,
+    pairs_per_place: u64,
+    factor: f64,
+    rng: ChaCha8Rng,
+    arenas: Vec<Arena>,
+    near: Near,
+    squares: [f64; Place::ALL.len()],
+    tick: u64,
+}
+
+impl Calibration {
+    /// A calibration of one of a robot's sonars, alone: at a noise level without its crosstalk, with so
+    /// many pairs a place, at least 1, and a factor k.
+    #[must_use]
+    pub fn new(
+        equipment: &Equipment,
+        noise: NoiseLevel,
+        pairs_per_place: u64,
+        factor: f64,
+        seed: u64,
+    ) -> Self {
+        let mut spec = equipment.scanner.clone();
+        spec.orders.staggered = vec![0];
+        let alone = [Mount { place: Vec2::zeros(), axis_rad: 0.0, axis_deg: 0.0 }];
+        let noise = NoiseLevel { crosstalk: 0.0, ..noise };
+        let rng = stream(seed, 0, Purpose::Echo);
+        Self {
+            scanner: Scanner::new(&spec, &alone, FiringOrder::Staggered, noise, rng),
+            slots: spec.slots as usize,
+            pairs_per_place: pairs_per_place.max(1),
+            factor,
+            rng: stream(seed, 0, Purpose::Start),
+            arenas: Place::ALL.iter().map(|place| place.arena()).collect(),
+            near: Near::default(),
+            squares: [0.0; Place::ALL.len()],
+            tick: 0,
+        }
+    }
+
+    /// The next pair; none after the last.
+    pub fn step(&mut self) -> Option<Pair> {
+        let index = usize::try_from(self.tick / self.pairs_per_place).ok()?;
+        let place = *Place::ALL.get(index)?;
+        let distance_m = self.rng.random_range(DISTANCES_M[0]..DISTANCES_M[1]);
+        let angle_rad = self.rng.random_range(-ANGLE_DEG..ANGLE_DEG).to_radians();
+        let pose = place.pose(distance_m, angle_rad);
+        let within_m = self.scanner.range_m() + 0.1;
+        self.arenas[index].note_near(pose.position(), within_m, &mut self.near);
+        let cycle_s = self.scanner.slot_s() * self.slots as f64;
+        #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
+        let time_s = self.tick as f64 * cycle_s;
+        self.scanner.fire(0, time_s, &pose, &self.near, &[]);
+        let truth_m = self.scanner.truth_m(0, &pose, &self.near, &[]);
+        let reading = self.scanner.readings()[0];
+        self.squares[index] += (truth_m - reading.range_m) * (truth_m - reading.range_m);
+        self.tick += 1;
+        Some(Pair { tick: self.tick, place, truth_m, reading })
+    }
+
+    /// Pairs of all places.
+    #[must_use]
+    pub fn pairs(&self) -> u64 {
+        self.pairs_per_place * Place::ALL.len() as u64
+    }
+
+    /// What the pairs taken so far come to; none before the first.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
+    pub fn report(&self) -> Option<CalibrationReport> {
+        let taken = |index: usize| {
+            let before = index as u64 * self.pairs_per_place;
+            self.tick.saturating_sub(before).min(self.pairs_per_place)
+        };
+        let visited = (0..Place::ALL.len()).filter(|&index| taken(index) > 0);
+        let places: Vec<PlaceError> = visited
+            .map(|index| PlaceError {
+                place: Place::ALL[index],
+                pairs: taken(index),
+                mean_square: self.squares[index] / taken(index) as f64,
+            })
+            .collect();
+        if self.tick == 0 {
+            return None;
+        }
+        let mean_square = self.squares.iter().sum::<f64>() / self.tick as f64;
+        // Eq. (2.8): ς² = k/N ‖d − r‖²
+        let variance = self.factor * mean_square;
+        let deviation_m = libm::sqrt(variance);
+        Some(CalibrationReport { places, mean_square, factor: self.factor, variance, deviation_m })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::robot::examples::trc;
+
+    fn run(noise: NoiseLevel) -> (Vec<Pair>, CalibrationReport) {
+        let trc = trc();
+        let equipment = trc.equipment().expect("the TRC is equipped");
+        let mut calibration = Calibration::new(equipment, noise, 2000, 1.5, 1);
+        assert_eq!(calibration.report(), None);
+        let pairs: Vec<Pair> = std::iter::from_fn(|| calibration.step()).collect();
+        assert_eq!(pairs.len() as u64, calibration.pairs());
+        (pairs, calibration.report().expect("done"))
+    }
+
+    #[test]
+    fn the_variance_is_k_times_the_mean_square_of_all_pairs() {
+        let (pairs, report) = run(NoiseLevel::times(1.0));
+        let squares = pairs.iter().map(|pair| (pair.truth_m - pair.reading.range_m).powi(2));
+        let mean_square = squares.sum::<f64>() / pairs.len() as f64;
+        assert!((report.variance - 1.5 * mean_square).abs() < 1e-12);
+        assert!((report.deviation_m.powi(2) - report.variance).abs() < 1e-12);
+    }
+
+    #[test]
+    fn places_where_errors_have_a_closed_form() {
+        let (_, report) = run(NoiseLevel::times(1.0));
+        // In the free way only spurious readings err, with probability 0.01: U(0.1524, 2) instead of 2.
+        let expected = 0.01 * (2.0_f64 - 0.1524).powi(2) / 3.0;
+        let free = report.places[4];
+        assert!((free.mean_square / expected - 1.0).abs() < 0.5, "{free:?}");
+        // An ideal sonar before a wall errs by what lies between two rays.
+        let (_, ideal) = run(NoiseLevel::IDEAL);
+        for place in &ideal.places {
+            assert!(place.mean_square < 1e-3, "{place:?}");
+        }
+    }
+}
