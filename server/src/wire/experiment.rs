@@ -18,7 +18,7 @@ pub struct ExperimentInfo {
     pub summary: String,
     /// Where the thesis describes it.
     pub source: String,
-    /// Whether it is a tabular experiment.
+    /// Which kind of experiment it is.
     pub family: super::Family,
     /// The robot that runs it; none in a tabular experiment.
     pub robot: Option<RobotInfo>,

@@ -3,6 +3,7 @@
 //! Angles are degrees and lengths metres here; `core` works in radians. The page's TypeScript is
 //! generated from these types, and a test fails when it is stale.
 
+mod drive;
 mod experiment;
 mod fusion;
 mod network;
@@ -16,6 +17,7 @@ mod typescript;
 mod world;
 mod yardstick;
 
+pub use drive::*;
 pub use experiment::*;
 pub use fusion::*;
 pub use network::*;

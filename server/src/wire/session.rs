@@ -42,6 +42,8 @@ pub enum Family {
     Path,
     /// Learners with tables compete.
     Table,
+    /// A robot is driven by rules (chapter 2).
+    Drive,
 }
 
 /// Pace of a session.
@@ -126,13 +128,13 @@ pub struct Session {
     pub settings: BTreeMap<String, Value>,
     /// Keys whose value is not the default's.
     pub changed: Vec<String>,
-    /// Whether it is a tabular experiment.
+    /// Which kind of experiment it runs.
     pub family: Family,
-    /// Trials asked for: of the session, or of each episode of a tabular experiment.
+    /// Trials asked for: of the session, of each episode of a tabular experiment, or runs of each method.
     pub trials: u32,
     /// Trials done; in a tabular experiment, of all episodes that ended.
     pub trials_done: u32,
-    /// What the session goes through: its trials, or in a tabular experiment episodes of one competitor each.
+    /// What the session goes through: its trials, episodes of one competitor each, or runs of one method each.
     pub rounds: u32,
     /// Rounds done.
     pub rounds_done: u32,

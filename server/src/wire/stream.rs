@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 use super::{
-    EpisodeView, NeuronView, ScoresView, Session, StepView, TableView, TaskView, TickView, Trial,
+    CourseView, CycleView, DriveRunView, DriveScores, EpisodeView, NeuronView, ScoresView, Session, StepView, TableView, TaskView, TickView, Trial,
     Yardstick,
 };
 
@@ -17,10 +17,13 @@ pub const HELLO_TRIALS: usize = 1000;
 /// Episodes in `hello`; all of them are at `sessions/{id}/episodes`.
 pub const HELLO_EPISODES: usize = 400;
 
+/// Cycles of chapter 2 in `hello`.
+pub const HELLO_CYCLES: usize = 300;
+
 /// A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `episode`,
 /// `scores`, `log`, `yardstick`); `tick`, `depths`, `neurons`, `step` and `table` are samples of the present
 /// and repeat the number of the last event. Tabular experiments send `step`, `table`, `episode` and `scores`
-/// in the place of `tick`, `neurons`, `trial` and `curve`.
+/// in the place of `tick`, `neurons`, `trial` and `curve`; those of chapter 2 `cycles`, `run` and `summary`.
 /// Arena pictures are binary frames: whole PNG files.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS)]
 #[serde(tag = "type", rename_all = "lowercase")]
@@ -103,6 +106,27 @@ pub enum ServerMessage {
         /// How they stand.
         scores: ScoresView,
     },
+    /// The latest cycles of an experiment of chapter 2: those since the last message, at most the newest 50.
+    Cycles {
+        /// Number of the last event.
+        seq: u64,
+        /// In order; the last is the present.
+        cycles: Vec<CycleView>,
+    },
+    /// Runs of chapter 2 that ended.
+    Run {
+        /// Event number.
+        seq: u64,
+        /// One or more, in order.
+        runs: Vec<DriveRunView>,
+    },
+    /// How the methods stand after the last of these runs.
+    Summary {
+        /// Event number.
+        seq: u64,
+        /// How they stand.
+        summary: DriveScores,
+    },
     /// New lines of the event log.
     Log {
         /// Event number.
@@ -154,6 +178,14 @@ pub struct Hello {
     pub scores: Option<ScoresView>,
     /// Its newest episodes, at most [`HELLO_EPISODES`].
     pub episodes: Vec<EpisodeView>,
+    /// Where the robot of chapter 2 drives; none elsewhere.
+    pub course: Option<CourseView>,
+    /// The latest cycles of chapter 2, at most [`HELLO_CYCLES`].
+    pub cycles: Vec<CycleView>,
+    /// Its newest runs, at most [`HELLO_EPISODES`].
+    pub runs: Vec<DriveRunView>,
+    /// How its methods stand.
+    pub summary: Option<DriveScores>,
     /// The newest trials, at most [`HELLO_TRIALS`].
     pub trials: Vec<Trial>,
     /// All neurons, without their centres.
@@ -255,6 +287,10 @@ pub enum ClientMessage {
         #[serde(default)]
         #[ts(optional)]
         step: Option<f64>,
+        /// Most `cycles` messages a second, 0 to 60.
+        #[serde(default)]
+        #[ts(optional)]
+        cycles: Option<f64>,
         /// Most `table` messages a second, 0 to 30.
         #[serde(default)]
         #[ts(optional)]

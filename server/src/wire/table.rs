@@ -220,6 +220,8 @@ pub enum Round {
     Trial(Box<super::Trial>),
     /// An episode of one competitor.
     Episode(Box<EpisodeView>),
+    /// A run of chapter 2.
+    Run(Box<super::DriveRunView>),
 }
 
 impl Round {
@@ -229,6 +231,7 @@ impl Round {
         match self {
             Self::Trial(trial) => trial.trial,
             Self::Episode(episode) => episode.round,
+            Self::Run(run) => run.round,
         }
     }
 
@@ -238,6 +241,7 @@ impl Round {
         match self {
             Self::Trial(trial) => trial.last_tick,
             Self::Episode(episode) => episode.last_tick,
+            Self::Run(run) => run.last_tick,
         }
     }
 
@@ -246,7 +250,7 @@ impl Round {
     pub fn trial(&self) -> Option<&super::Trial> {
         match self {
             Self::Trial(trial) => Some(trial),
-            Self::Episode(_) => None,
+            Self::Episode(_) | Self::Run(_) => None,
         }
     }
 
@@ -255,7 +259,16 @@ impl Round {
     pub fn episode(&self) -> Option<&EpisodeView> {
         match self {
             Self::Episode(episode) => Some(episode),
-            Self::Trial(_) => None,
+            Self::Trial(_) | Self::Run(_) => None,
+        }
+    }
+
+    /// The run of chapter 2, if it is one.
+    #[must_use]
+    pub fn run(&self) -> Option<&super::DriveRunView> {
+        match self {
+            Self::Run(run) => Some(run),
+            Self::Trial(_) | Self::Episode(_) => None,
         }
     }
 }
@@ -291,14 +304,14 @@ pub enum OutcomeOfEpisode {
     },
 }
 
-/// What an operator did to a learner during an episode. It holds until the episode ends.
+/// What an operator did during an episode or a run. It holds until that ends.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
 pub struct InterventionView {
     /// Last tick done before it.
     pub tick: u64,
-    /// Trial it fell into, from 1.
+    /// Trial or cycle it fell into, from 1.
     pub trial: u32,
-    /// `advice`, `value` or `table`.
+    /// `advice`, `value`, `table`, `method` or `sonar`.
     pub kind: String,
     /// The advice as it was given, or what was changed.
     pub text: String,

@@ -11,7 +11,7 @@ title: string,
 summary: string,
 /** Where the thesis describes it. */
 source: string,
-/** Whether it is a tabular experiment. */
+/** Which kind of experiment it is. */
 family: Family,
 /** The robot that runs it; none in a tabular experiment. */
 robot: RobotInfo | null,
@@ -93,7 +93,7 @@ meaning: string, };
 export type State = "queued" | "starting" | "running" | "paused" | "stopping" | "stopped" | "finished" | "failed" | "interrupted";
 
 /** Which kind of experiment a session runs. */
-export type Family = "path" | "table";
+export type Family = "path" | "table" | "drive";
 
 /** Pace of a session. */
 export type Speed = number | NamedSpeed;
@@ -137,13 +137,13 @@ world: string,
 settings: Record<string, number | string | boolean>,
 /** Keys whose value is not the default's. */
 changed: Array<string>,
-/** Whether it is a tabular experiment. */
+/** Which kind of experiment it runs. */
 family: Family,
-/** Trials asked for: of the session, or of each episode of a tabular experiment. */
+/** Trials asked for: of the session, of each episode of a tabular experiment, or runs of each method. */
 trials: number,
 /** Trials done; in a tabular experiment, of all episodes that ended. */
 trials_done: number,
-/** What the session goes through: its trials, or in a tabular experiment episodes of one competitor each. */
+/** What the session goes through: its trials, episodes of one competitor each, or runs of one method each. */
 rounds: number,
 /** Rounds done. */
 rounds_done: number,
@@ -636,7 +636,7 @@ radius_m: number, };
 /** A message from the server. `seq` counts the session's events (`state`, `trial`, `curve`, `episode`,
  * `scores`, `log`, `yardstick`); `tick`, `depths`, `neurons`, `step` and `table` are samples of the present
  * and repeat the number of the last event. Tabular experiments send `step`, `table`, `episode` and `scores`
- * in the place of `tick`, `neurons`, `trial` and `curve`.
+ * in the place of `tick`, `neurons`, `trial` and `curve`; those of chapter 2 `cycles`, `run` and `summary`.
  * Arena pictures are binary frames: whole PNG files. */
 export type ServerMessage = { "type": "hello" } & Hello | { "type": "state",
 /** Event number. */
@@ -684,7 +684,19 @@ episodes: Array<EpisodeView>, } | { "type": "scores",
 /** Event number. */
 seq: number,
 /** How they stand. */
-scores: ScoresView, } | { "type": "log",
+scores: ScoresView, } | { "type": "cycles",
+/** Number of the last event. */
+seq: number,
+/** In order; the last is the present. */
+cycles: Array<CycleView>, } | { "type": "run",
+/** Event number. */
+seq: number,
+/** One or more, in order. */
+runs: Array<DriveRunView>, } | { "type": "summary",
+/** Event number. */
+seq: number,
+/** How they stand. */
+summary: DriveScores, } | { "type": "log",
 /** Event number. */
 seq: number,
 /** One or more, in order. */
@@ -722,6 +734,14 @@ table: TableView | null,
 scores: ScoresView | null,
 /** Its newest episodes, at most [`HELLO_EPISODES`]. */
 episodes: Array<EpisodeView>,
+/** Where the robot of chapter 2 drives; none elsewhere. */
+course: CourseView | null,
+/** The latest cycles of chapter 2, at most [`HELLO_CYCLES`]. */
+cycles: Array<CycleView>,
+/** Its newest runs, at most [`HELLO_EPISODES`]. */
+runs: Array<DriveRunView>,
+/** How its methods stand. */
+summary: DriveScores | null,
 /** The newest trials, at most [`HELLO_TRIALS`]. */
 trials: Array<Trial>,
 /** All neurons, without their centres. */
@@ -801,6 +821,8 @@ depths?: number,
 neurons?: number,
 /** Most `step` messages a second, 0 to 60. */
 step?: number,
+/** Most `cycles` messages a second, 0 to 60. */
+cycles?: number,
 /** Most `table` messages a second, 0 to 30. */
 table?: number,
 /** Arena pictures. */
@@ -998,13 +1020,13 @@ course: Array<number>, } | { "kind": "plot",
 /** All points. */
 points: Array<PointView>, };
 
-/** What an operator did to a learner during an episode. It holds until the episode ends. */
+/** What an operator did during an episode or a run. It holds until that ends. */
 export type InterventionView = {
 /** Last tick done before it. */
 tick: number,
-/** Trial it fell into, from 1. */
+/** Trial or cycle it fell into, from 1. */
 trial: number,
-/** `advice`, `value` or `table`. */
+/** `advice`, `value`, `table`, `method` or `sonar`. */
 kind: string,
 /** The advice as it was given, or what was changed. */
 text: string, };
@@ -1269,6 +1291,363 @@ name: string,
 lead: Array<number>,
 /** Reward of every step after them. */
 then: number, };
+
+/** One cycle of the sonars: read, fused, decided. */
+export type CycleView = {
+/** Number in the session, from 1. */
+tick: number,
+/** Round of the session, from 1: one run with one method. */
+round: number,
+/** Run, from 1; with two methods each run is driven twice, from the same random numbers. */
+run: number,
+/** Cycle of the run, from 1. */
+cycle: number,
+/** Time from the start of the run to the end of the cycle, seconds. */
+time_s: number,
+/** The method that drives. */
+method: string,
+/** True pose at the end of the cycle. */
+pose: PoseView,
+/** Velocity, m/s; below 0 it backs up. */
+speed_m_s: number,
+/** Turn, deg/s; above 0 to the left. */
+turn_deg_s: number,
+/** What the compass says, degrees. */
+compass_deg: number,
+/** Load on the motor, 0 at rest to 1 where the robot pushes against something. */
+motor_load: number,
+/** The latest reading of each sonar. */
+readings: Array<ReadingView>,
+/** The regions, from the left to the right. */
+regions: Array<RegionDepthView>,
+/** The rules at work; none where nothing decides. */
+inference: InferenceView | null,
+/** Velocity commanded for the next cycle, m/s. */
+command_m_s: number,
+/** Turn commanded for the next cycle, deg/s. */
+command_deg_s: number,
+/** A contact that began. */
+bump: BumpView | null,
+/** The robot is backing off by itself. */
+backing_off: boolean,
+/** Clearance of the body at the end of the cycle, metres. */
+clearance_m: number,
+/** Where people are, metres. */
+people_m: Array<[number, number]>,
+/** The first region without a sonar that answers, from 0; it stops the robot. */
+blind: number | null, };
+
+/** One reading. */
+export type ReadingView = {
+/** Metres; the greatest reading where there is no echo. */
+range_m: number,
+/** What it is made of: `echo`, `edge`, `none`, `dropped`, `ghost`, `spurious` or `silent`. */
+echo: string, };
+
+/** A region in a cycle. What every method makes of it is there, whichever drives. */
+export type RegionDepthView = {
+/** Sonars that answer. */
+live: number,
+/** Depth by each method of the course, metres, in their order; empty where every sonar is silent. */
+depths_m: Array<number>,
+/** σ of Algorithm 1, metres. */
+sigma_m: number | null,
+/** σ of the filter whose depth walks at random, metres. */
+walk_sigma_m: number | null,
+/** Distance of the nearest surface in the cones of its sonars, metres. */
+truth_m: number,
+/** Normalised innovation squared of the median, χ² with one degree of freedom where the filter's
+ * assumptions hold; none of the first reading. */
+nis: number | null,
+/** Error of the median and Algorithm 1, squared and over its variance. */
+nees: number | null, };
+
+/** The rules at work in a cycle. */
+export type InferenceView = {
+/** The inputs: depths in metres, then the velocity in cm/s. */
+inputs: Array<number>,
+/** Membership of each input in each of its sets, Eq. (2.20). */
+memberships: Array<Array<number>>,
+/** Rules that fire. */
+fired: number,
+/** The strongest of them, at most 12, the strongest first. */
+firings: Array<FiringView>,
+/** The outputs, Algorithm 2: velocity in cm/s, turn in deg/s. */
+outputs: Array<number>, };
+
+/** A rule that fires. */
+export type FiringView = {
+/** Its number in the rule base, from 0. */
+rule: number,
+/** Its strength, Eq. (2.26). */
+strength: number,
+/** The set of each input that it speaks of. */
+when: Array<string>,
+/** What it concludes: velocity in cm/s, turn in deg/s. */
+then: Array<number>,
+/** The principles that gave its consequents. */
+because: string, };
+
+/** A contact that began. */
+export type BumpView = {
+/** `wall`, `door`, `block` or `person`. */
+what: string,
+/** When, seconds from the start of the run. */
+time_s: number,
+/** The front bumper answered; else the rear one. */
+front: boolean, };
+
+/** One run. */
+export type DriveRunView = {
+/** Round of the session, from 1. */
+round: number,
+/** Run, from 1. */
+run: number,
+/** The method that drove when it ended. */
+method: string,
+/** Cycles. */
+cycles: number,
+/** First tick. */
+first_tick: number,
+/** Last tick. */
+last_tick: number,
+/** What came of it. */
+outcome: DriveOutcome,
+/** What an operator did during it, in order. */
+interventions?: Array<InterventionView>, };
+
+/** What came of a run. */
+export type DriveOutcome = { "kind": "approach",
+/** Sum of all changes of the distance itself, metres. */
+true_variation_m: number,
+/** Mean share of sonars that heard a ghost, percent. */
+haunted_pct: number,
+/** How well each method told the distance. */
+scores: Array<MethodScoreView>, } | { "kind": "drive" } & DriveScore;
+
+/** How well one method told a distance. */
+export type MethodScoreView = {
+/** The method. */
+method: string,
+/** Root of the mean square of its error, metres. */
+rms_m: number,
+/** R² of a straight line in time. */
+r2: number,
+/** Sum of all changes from cycle to cycle, metres. */
+variation_m: number,
+/** Sum of the changes upwards, metres; the distance itself never rises. */
+rise_m: number,
+/** Greatest change, metres. */
+jump_m: number, };
+
+/** What a controlled run came to. */
+export type DriveScore = {
+/** Seconds. */
+time_s: number,
+/** The end of the way was reached; false where there is none. */
+done: boolean,
+/** Way gained, metres. */
+progress_m: number,
+/** Length of the path, metres. */
+path_m: number,
+/** Way gained in a second, m/s. */
+forward_m_s: number,
+/** Way gained over length of the path. */
+straightness: number,
+/** Root of the mean square of the heading from the corridor's, degrees. */
+heading_rms_deg: number,
+/** Mean velocity, m/s. */
+speed_m_s: number,
+/** Share of the cycles slower than 5 cm/s, percent. */
+slow_pct: number,
+/** Share of the cycles that back up, percent. */
+reverse_pct: number,
+/** Changes of side of the turn in a minute. */
+flips_per_min: number,
+/** Mean turn, deg/s, whatever its side. */
+turn_deg_s: number,
+/** Contacts with walls. */
+wall_contacts: number,
+/** Contacts with door frames. */
+door_contacts: number,
+/** Contacts with blocks. */
+block_contacts: number,
+/** Contacts with people. */
+people_contacts: number,
+/** Doors passed. */
+doors: number,
+/** Doors passed without a contact. */
+clean_doors: number,
+/** Least clearance, metres. */
+clearance_m: number,
+/** Mean normalised innovation of the median over all regions; 1 where the filter is consistent. */
+nis: number | null,
+/** Mean normalised error of the median and Algorithm 1. */
+nees: number | null,
+/** Region whose sonars were all silent, from 0, which ended the run. */
+blind: number | null, };
+
+/** How the methods stand. */
+export type DriveScores = {
+/** Runs that every method has done. */
+runs_done: number,
+/** The methods, in their order. */
+methods: Array<MethodSummary>, };
+
+/** How one method stands over its runs. */
+export type MethodSummary = {
+/** The method. */
+method: string,
+/** Runs. */
+n: number,
+/** Runs that reached the end of the way; none where there is no end. */
+done: number | null,
+/** Measures with their names and 95 % intervals, in a fixed order. */
+measures: Array<MeasureView>, };
+
+/** A measure over the runs of a method. */
+export type MeasureView = {
+/** Name for people. */
+name: string,
+/** Unit; empty for a pure number. */
+unit: string,
+/** Mean over the runs. */
+mean: number,
+/** 95 % interval of the mean; none of fewer than two runs. */
+interval: IntervalView | null, };
+
+/** Where a robot drives, and what it drives by. */
+export type CourseView = {
+/** `wall-approach`, `block-world` or `corridor`. */
+kind: string,
+/** Title for people. */
+title: string,
+/** Least and greatest x and y, metres: `[x0, y0, x1, y1]`. */
+bounds_m: [number, number, number, number],
+/** Surfaces. */
+faces: Array<FaceView>,
+/** Corners of the robot, counter-clockwise, robot frame, metres. */
+robot_corners_m: Array<[number, number]>,
+/** The sonars, in the order of their readings. */
+sonars: Array<SonarView>,
+/** Half the opening of a sonar's cone, degrees. */
+half_cone_deg: number,
+/** Range of the sonars, metres. */
+sonar_range_m: number,
+/** Sonars of each region, from the left to the right. */
+regions: Array<Array<number>>,
+/** Methods by which a depth is made, in the order of `depths_m`, with what each means. */
+methods: Array<MethodView>,
+/** Methods that drive, by turns. */
+drivers: Array<string>,
+/** Doors across a corridor. */
+doors: Array<DoorView>,
+/** x at which a run is done, metres; none where it has no end. */
+finish_m: number | null,
+/** Radius of a person, metres. */
+person_radius_m: number,
+/** Bounds within which 95 % of single NIS and NEES values lie where the filter is consistent: χ² with one
+ * degree of freedom. */
+chi_square: [number, number],
+/** The rules that drive; none in the approach to a wall. */
+rules: RuleBaseView | null, };
+
+/** A piece of surface. */
+export type FaceView = {
+/** `[x0, y0, x1, y1]`, metres. */
+segment_m: [number, number, number, number],
+/** `wall`, `door` or `block`. */
+surface: string, };
+
+/** A way of making a depth. */
+export type MethodView = {
+/** Value of the setting `fusion.method`. */
+name: string,
+/** What it is. */
+meaning: string, };
+
+/** A door across a corridor. */
+export type DoorView = {
+/** Where along the corridor, metres. */
+x_m: number,
+/** Half its width, metres. */
+half_width_m: number, };
+
+/** A rule base without its rules. */
+export type RuleBaseView = {
+/** Name. */
+name: string,
+/** Title for people. */
+title: string,
+/** The inputs with their sets. */
+inputs: Array<VariableView>,
+/** The outputs. */
+outputs: Array<VariableView>,
+/** Rules. */
+rules: number, };
+
+/** A variable of a rule base. */
+export type VariableView = {
+/** Its name. */
+name: string,
+/** Its unit. */
+unit: string,
+/** Least and greatest value. */
+range: [number, number],
+/** Its sets; none of an output that rules conclude numbers about. */
+sets: Array<SetView>, };
+
+/** A fuzzy set. */
+export type SetView = {
+/** Its linguistic value. */
+name: string,
+/** Where membership begins to rise, is 1, begins to fall and is 0; cut at the variable's range. */
+corners: [number, number, number, number], };
+
+/** A rule base, rule by rule: `GET rules/{name}`. */
+export type RuleList = {
+/** What it is about. */
+base: RuleBaseView,
+/** Its rules, in their order. */
+rules: Array<RuleView>, };
+
+/** A rule. */
+export type RuleView = {
+/** Its number, from 0. */
+rule: number,
+/** The set of each input. */
+when: Array<string>,
+/** What it concludes about each output. */
+then: Array<number>,
+/** The principles that gave its consequents. */
+because: string, };
+
+/** The whole result of a run of chapter 2: what `run --json` prints and `report.json` holds. */
+export type DriveResult = {
+/** Name of the experiment. */
+experiment: string,
+/** Seed. */
+seed: number,
+/** Program version and commit. */
+build: string,
+/** Every setting with its value. */
+settings: Record<string, number | string | boolean>,
+/** The runs; an episode is a run of one method. */
+episodes: Array<DriveRunView>,
+/** How the methods stand after the last. */
+summary: DriveScores, };
+
+/** Body of `POST sessions/{id}/method`. */
+export type MethodRequest = {
+/** The method that drives from the next cycle on, until the run ends. */
+method: string, };
+
+/** Body of `POST sessions/{id}/sonars`. */
+export type SonarRequest = {
+/** Which sonar, from 0. */
+sonar: number,
+/** Whether it falls silent, or answers again. */
+silent: boolean, };
 
 /** A normal distribution over a position. */
 export type GaussianView = {
