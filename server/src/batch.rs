@@ -8,9 +8,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-use crate::catalog::{FieldError, Plan, TablePlan, Trained};
-use crate::session::{Run, TableRun, summary};
-use crate::wire::{AlteredStartView, EpisodeView, RunResult, ScoresView, TableResult, Trial};
+use crate::catalog::{FieldError, PlainPlan, Plan, Trained};
+use crate::session::{DriveRun, Run, TableRun, summary};
+use crate::wire::{
+    AlteredStartView, DriveResult, DriveRunView, DriveScores, EpisodeView, RunResult, ScoresView,
+    TableResult, Trial,
+};
 use crate::yardstick;
 
 /// Does the jobs on so many threads and hands over each result as soon as all before it are there.
@@ -114,7 +117,7 @@ pub fn result(plan: &Plan, trials: Vec<Trial>, starts: Vec<AlteredStartView>) ->
 ///
 /// # Errors
 /// The setting that contradicts itself or another.
-pub fn table(plan: &TablePlan, done: impl Fn()) -> Result<TableResult, FieldError> {
+pub fn table(plan: &PlainPlan, done: impl Fn()) -> Result<TableResult, FieldError> {
     let mut run = TableRun::new(plan)?;
     let episodes = std::iter::repeat_with(|| run.step_silently()).flatten();
     let rounds = TableRun::new(plan)?.rounds() as usize;
@@ -125,11 +128,40 @@ pub fn table(plan: &TablePlan, done: impl Fn()) -> Result<TableResult, FieldErro
 /// The whole result of a tabular plan that was run.
 #[must_use]
 pub fn table_result(
-    plan: &TablePlan,
+    plan: &PlainPlan,
     episodes: Vec<EpisodeView>,
     summary: ScoresView,
 ) -> TableResult {
     TableResult {
+        experiment: plan.experiment.clone(),
+        seed: plan.seed,
+        build: crate::build(),
+        settings: plan.values.clone(),
+        episodes,
+        summary,
+    }
+}
+
+/// All runs of a plan of chapter 2. Says `done` after each.
+///
+/// # Errors
+/// The setting that contradicts itself or another.
+pub fn drive(plan: &PlainPlan, done: impl Fn()) -> Result<DriveResult, FieldError> {
+    let mut run = DriveRun::new(plan)?;
+    let rounds = run.rounds() as usize;
+    let runs = std::iter::repeat_with(|| run.step_silently()).flatten();
+    let runs = runs.take(rounds).inspect(|_| done()).collect();
+    Ok(drive_result(plan, runs, run.scores()))
+}
+
+/// The whole result of a plan of chapter 2 that was run.
+#[must_use]
+pub fn drive_result(
+    plan: &PlainPlan,
+    episodes: Vec<DriveRunView>,
+    summary: DriveScores,
+) -> DriveResult {
+    DriveResult {
         experiment: plan.experiment.clone(),
         seed: plan.seed,
         build: crate::build(),

@@ -14,7 +14,7 @@ use crate::geometry::Vec2;
 use super::Round;
 
 /// Radius of a person, metres.
-const RADIUS_M: f64 = 0.22;
+pub const PERSON_RADIUS_M: f64 = 0.22;
 /// Paces, m/s.
 const PACES_M_S: [f64; 2] = [0.6, 1.2];
 /// How fast they step aside for the robot, and change lanes, m/s.
@@ -103,7 +103,7 @@ impl Crossing {
     fn depth_m(&self, place: Vec2) -> f64 {
         let way = place - self.place;
         let (ahead, beside) = (self.direction.dot(&way), self.direction.perp(&way));
-        let [before, around] = Self::KEPT_M.map(|kept| kept + RADIUS_M);
+        let [before, around] = Self::KEPT_M.map(|kept| kept + PERSON_RADIUS_M);
         let front = self.half.x + before - ahead;
         let back = ahead + self.half.x + around;
         front.min(back).min(self.half.y + around - beside.abs())
@@ -120,7 +120,7 @@ impl Person {
     /// The space that the person takes up.
     #[must_use]
     pub fn round(&self) -> Round {
-        Round { centre: self.place, radius_m: RADIUS_M }
+        Round { centre: self.place, radius_m: PERSON_RADIUS_M }
     }
 }
 
@@ -133,7 +133,7 @@ impl People {
         doors: Vec<Passage>,
         mut rng: ChaCha8Rng,
     ) -> Self {
-        let most_m = (half_width_m - RADIUS_M - WALL_M).max(0.0);
+        let most_m = (half_width_m - PERSON_RADIUS_M - WALL_M).max(0.0);
         let anyone = |_| {
             let lane_m = rng.random_range(-most_m..=most_m);
             let toward = if rng.random_bool(0.5) { 1.0 } else { -1.0 };
@@ -186,14 +186,14 @@ impl People {
         if !(pace_m_s.abs() <= 3.0) {
             return Err(format!("the pace must be from -3 to 3 m/s, not {pace_m_s}"));
         }
-        let free = (RADIUS_M..=self.length_m - RADIUS_M).contains(&place.x)
-            && place.y.abs() <= self.half_width_m - RADIUS_M
+        let free = (PERSON_RADIUS_M..=self.length_m - PERSON_RADIUS_M).contains(&place.x)
+            && place.y.abs() <= self.half_width_m - PERSON_RADIUS_M
             && self.is_clear_of_frames(place);
         if free {
             return Ok(());
         }
         Err(format!(
-            "({}, {}) is in a wall; a person must stand {RADIUS_M} m from walls and door frames, in a \
+            "({}, {}) is in a wall; a person must stand {PERSON_RADIUS_M} m from walls and door frames, in a \
              corridor of {} by {} m",
             place.x,
             place.y,
@@ -262,8 +262,8 @@ impl People {
         let wanted_m = if minded { self.beside_m(robot) } else { person.lane_m };
         let door = self.doors.iter().find(|door| (person.place.x - door.x_m).abs() < FUNNEL_M);
         let most_m = match door {
-            Some(door) => door.half_width_m - RADIUS_M - FRAME_M,
-            None => self.half_width_m - RADIUS_M - WALL_M,
+            Some(door) => door.half_width_m - PERSON_RADIUS_M - FRAME_M,
+            None => self.half_width_m - PERSON_RADIUS_M - WALL_M,
         };
         let wanted_m = wanted_m.clamp(-most_m.max(0.0), most_m.max(0.0));
         let most_m = if minded { ASIDE_M_S } else { LANE_M_S } * dt_s;
@@ -285,15 +285,15 @@ impl People {
             robot_in_door && then_m < now_m && then_m < WAIT_M
         };
         let deeper = robot.depth_m(to) > 0.0 && robot.depth_m(to) >= robot.depth_m(from);
-        let stays = to.y.abs() <= self.half_width_m - RADIUS_M
-            && (RADIUS_M..=self.length_m - RADIUS_M).contains(&to.x);
+        let stays = to.y.abs() <= self.half_width_m - PERSON_RADIUS_M
+            && (PERSON_RADIUS_M..=self.length_m - PERSON_RADIUS_M).contains(&to.x);
         stays && self.is_clear_of_frames(to) && !deeper && !self.doors.iter().any(waits)
     }
 
     fn is_clear_of_frames(&self, place: Vec2) -> bool {
         self.doors.iter().all(|door| {
-            (place.x - door.x_m).abs() > RADIUS_M + FRAME_M
-                || place.y.abs() <= door.half_width_m - RADIUS_M
+            (place.x - door.x_m).abs() > PERSON_RADIUS_M + FRAME_M
+                || place.y.abs() <= door.half_width_m - PERSON_RADIUS_M
         })
     }
 }
@@ -353,7 +353,7 @@ mod tests {
                 let beyond = Vec2::new(
                     (way.x.abs() - robot.half.x).max(0.0), (way.y.abs() - robot.half.y).max(0.0),
                 );
-                beyond.norm() - RADIUS_M
+                beyond.norm() - PERSON_RADIUS_M
             };
             let at_first: Vec<f64> =
                 people.everybody().iter().map(|person| body_m(person.place)).collect();

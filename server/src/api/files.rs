@@ -87,6 +87,20 @@ pub(super) async fn log(
 }
 
 fn session_file(app: &App, id: &str, format: &str) -> Result<Vec<u8>, Failure> {
+    if let Some(report) = app.reporter().drive(id)? {
+        return Ok(match format {
+            "html" => report::drive_html(&report).into_bytes(),
+            "json" => report::drive_json(&report).into_bytes(),
+            "csv" => report::drive_csv(&report).into_bytes(),
+            _ => {
+                let mut log = open_log(app, id)?;
+                let log = log.as_mut().map(|file| file as &mut dyn Read);
+                let written = report::drive_zip(&report, log, io::Cursor::new(Vec::new()));
+                let written = written.map(io::Cursor::into_inner);
+                written.map_err(|error| Failure::internal(error.to_string()))?
+            }
+        });
+    }
     if let Some(report) = app.reporter().table(id)? {
         return Ok(match format {
             "html" => report::table_html(&report).into_bytes(),

@@ -8,8 +8,8 @@ use utoipa_axum::routes;
 use utoipa_swagger_ui::SwaggerUi;
 
 use super::{
-    App, arena, controls, experiments, files, fusion, reproductions, sessions, starts, stream,
-    tables, ticks, traces, worlds,
+    App, arena, controls, experiments, files, fusion, interventions, reproductions, rules,
+    sessions, starts, stream, ticks, traces, worlds,
 };
 
 #[derive(OpenApi)]
@@ -43,8 +43,12 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(controls::stop))
         .routes(routes!(controls::reset))
         .routes(routes!(controls::speed))
-        .routes(routes!(tables::advise))
-        .routes(routes!(tables::save, tables::change))
+        .routes(routes!(interventions::advise))
+        .routes(routes!(interventions::save, interventions::change))
+        .routes(routes!(interventions::method))
+        .routes(routes!(interventions::sonar))
+        .routes(routes!(rules::one))
+        .routes(routes!(ticks::runs))
         .routes(routes!(ticks::episodes))
         .routes(routes!(ticks::trials))
         .routes(routes!(ticks::trial))

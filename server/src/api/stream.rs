@@ -45,7 +45,7 @@ pub(super) async fn open(
         blocking(move || -> Result<_, LabError> {
             let scenery = match lab.job(&id)? {
                 Job::Path(plan) => Some(Arc::new(Scenery::new(&plan))),
-                Job::Table(_) => None,
+                Job::Plain(_) => None,
             };
             Ok((lab.feed(&id)?, scenery))
         })

@@ -10,7 +10,10 @@ use utoipa::IntoParams;
 use super::extract::{Path, Query};
 use super::problem::Failure;
 use super::{App, blocking};
-use crate::wire::{EpisodeView, NeuronView, Problem, StepView, TickView, Trial, TrialEndView};
+use crate::wire::{
+    CycleView, DriveRunView, EpisodeView, NeuronView, Problem, StepView, TickView, Trial,
+    TrialEndView,
+};
 
 /// Most ticks in one answer.
 const MOST_TICKS: u64 = 10_000;
@@ -37,6 +40,18 @@ pub(super) async fn episodes(
 ) -> Result<Json<Vec<EpisodeView>>, Failure> {
     let feed = blocking(move || app.lab.feed(&id)).await?;
     Ok(Json(feed.rounds().iter().filter_map(|round| round.episode().cloned()).collect()))
+}
+
+/// The runs of a session of chapter 2 that ended, in order
+#[utoipa::path(get, path = "/sessions/{id}/runs", tag = "results",
+    params(("id" = String, Path, description = "Identifier")),
+    responses((status = 200, body = [DriveRunView]), (status = 404, body = Problem)))]
+pub(super) async fn runs(
+    State(app): State<App>,
+    Path(id): Path<String>,
+) -> Result<Json<Vec<DriveRunView>>, Failure> {
+    let feed = blocking(move || app.lab.feed(&id)).await?;
+    Ok(Json(feed.rounds().iter().filter_map(|round| round.run().cloned()).collect()))
 }
 
 /// A trial of a session.
@@ -94,12 +109,14 @@ pub(super) enum TickOrStep {
     Ticks(Vec<TickView>),
     /// Of a tabular session.
     Steps(Vec<StepView>),
+    /// Of a session of chapter 2.
+    Cycles(Vec<CycleView>),
 }
 
 /// Control steps with their explanations
 #[utoipa::path(get, path = "/sessions/{id}/ticks", tag = "results",
     params(("id" = String, Path, description = "Identifier"), TicksQuery),
-    responses((status = 200, description = "`TickView`s, or `StepView`s of a tabular session",
+    responses((status = 200, description = "`TickView`s; `StepView`s of a tabular session, `CycleView`s of one of chapter 2",
             body = TickOrStep), (status = 404, body = Problem), (status = 422, body = Problem)))]
 pub(super) async fn ticks(
     State(app): State<App>,

@@ -11,8 +11,8 @@ use sonarium_core::experiment::Settings;
 use sonarium_core::robot::Robot;
 use sonarium_core::settings::{Kind, Spec, Standing};
 
+use super::plain::{self, PlainExperiment, Tasks};
 use super::presets::{self, Preset};
-use super::tables::{self, TableExperiment, Tasks};
 use super::{CatalogError, DEFAULT_TRIALS, FieldError, MAX_TRIALS, Worlds, plan, values};
 use crate::wire::{Choice, ExperimentInfo, Family, RobotInfo, SettingInfo, StartView};
 
@@ -79,12 +79,7 @@ impl Experiment {
             summary: self.file.summary.clone(),
             source: self.file.source.clone(),
             family: Family::Path,
-            robot: Some(RobotInfo {
-                name: self.robot.name().to_owned(),
-                title: self.robot.title().to_owned(),
-                summary: self.robot.summary().to_owned(),
-                source: self.robot.source().to_owned(),
-            }),
+            robot: Some(robot_info(&self.robot)),
             default_trials: self.trials,
             max_trials: MAX_TRIALS,
             presets: self.presets.iter().map(Preset::info).collect(),
@@ -114,6 +109,16 @@ impl Experiment {
     /// A preset's settings by its name.
     pub(super) fn preset(&self, name: &str) -> Result<&BTreeMap<String, Json>, FieldError> {
         presets::find(&self.presets, name)
+    }
+}
+
+/// A robot as a user sees it.
+pub(super) fn robot_info(robot: &Robot) -> RobotInfo {
+    RobotInfo {
+        name: robot.name().to_owned(),
+        title: robot.title().to_owned(),
+        summary: robot.summary().to_owned(),
+        source: robot.source().to_owned(),
     }
 }
 
@@ -156,7 +161,7 @@ pub(super) fn embedded(
     worlds: &Worlds,
     mut presets: BTreeMap<String, Vec<Preset>>,
     tasks: &Tasks,
-) -> Result<(Vec<Experiment>, Vec<TableExperiment>), CatalogError> {
+) -> Result<(Vec<Experiment>, Vec<PlainExperiment>), CatalogError> {
     let mut files: Vec<String> = Files::iter().map(|file| file.into_owned()).collect();
     // By name without the ending, so that a variant of an experiment comes after it.
     files.sort_unstable_by(|a, b| stem(a).cmp(stem(b)));
@@ -167,14 +172,15 @@ pub(super) fn embedded(
         let name = stem(&file);
         let text = Files::get(&file).map(|file| String::from_utf8_lossy(&file.data).into_owned());
         let (text, presets) = (text.unwrap_or_default(), presets.remove(name).unwrap_or_default());
-        if tables::NAMES.contains(&name) {
-            let read = TableExperiment::read(name, &text, presets, tasks).map_err(broken)?;
+        if plain::NAMES.contains(&name) {
+            let read =
+                PlainExperiment::read(name, &text, presets, tasks, robots).map_err(broken)?;
             tabular.push(read);
         } else {
             experiments.push(read(name, &text, robots, worlds, presets).map_err(broken)?);
         }
     }
-    tabular.sort_by_key(|table| tables::NAMES.iter().position(|name| *name == table.name));
+    tabular.sort_by_key(|table| plain::NAMES.iter().position(|name| *name == table.name));
     match presets.into_keys().next() {
         None => Ok((experiments, tabular)),
         Some(name) => Err(CatalogError {

@@ -2,20 +2,20 @@
 
 mod experiments;
 mod network;
+mod plain;
 mod plan;
 mod presets;
 mod robots;
 mod starts;
-mod tables;
 mod values;
 mod worlds;
 
 pub use experiments::Experiment;
 pub use network::Trained;
+pub use plain::{Equipment, NamedTask, PlainPlan, PlainSettings, Texts};
 pub use plan::{FieldError, Job, Plan, speed as check_speed};
 pub use presets::Preset;
 pub use starts::starts_from_text;
-pub use tables::{NamedTask, TablePlan, TableSettings, Texts};
 pub use values::{flatten, from_text};
 pub use worlds::{
     BrokenWorld, DEFAULT_WORLD, NamedWorld, Worlds, WorldsError, parse as parse_world,
@@ -23,6 +23,9 @@ pub use worlds::{
 };
 
 use std::path::Path;
+use std::sync::Arc;
+
+use sonarium_core::fuzzy::RuleBase;
 
 use crate::wire::ExperimentInfo;
 
@@ -39,9 +42,9 @@ pub const DEFAULT_TRIALS: u32 = 20;
 #[derive(Debug)]
 pub struct Catalog {
     worlds: Worlds,
-    tasks: tables::Tasks,
+    tasks: plain::Tasks,
     experiments: Vec<Experiment>,
-    tables: Vec<tables::TableExperiment>,
+    plain: Vec<plain::PlainExperiment>,
     infos: Vec<ExperimentInfo>,
 }
 
@@ -62,10 +65,10 @@ impl Catalog {
     /// When an embedded file is broken. A broken world of the user's is kept and refused when chosen.
     pub fn load(own_worlds: Option<&Path>) -> Result<Self, CatalogError> {
         let worlds = Worlds::load(own_worlds)?;
-        let tasks = tables::Tasks::embedded()?;
-        let (experiments, tables) =
+        let tasks = plain::Tasks::embedded()?;
+        let (experiments, plain) =
             experiments::embedded(&robots::embedded()?, &worlds, presets::embedded()?, &tasks)?;
-        let mut catalog = Self { worlds, tasks, experiments, tables, infos: Vec::new() };
+        let mut catalog = Self { worlds, tasks, experiments, plain, infos: Vec::new() };
         catalog.infos = catalog.experiments();
         Ok(catalog)
     }
@@ -74,7 +77,7 @@ impl Catalog {
     #[must_use]
     pub fn experiments(&self) -> Vec<ExperimentInfo> {
         let paths = self.experiments.iter().map(|experiment| experiment.info(&self.worlds));
-        paths.chain(self.tables.iter().map(|table| table.info(&self.tasks))).collect()
+        paths.chain(self.plain.iter().map(|table| table.info(&self.tasks))).collect()
     }
 
     /// An experiment by name, as a user sees it, with the worlds that there were when the program started.
@@ -92,6 +95,18 @@ impl Catalog {
     /// Adds a world for this run, before all others of its name.
     pub fn give_world(&mut self, world: NamedWorld) {
         self.worlds.give(world);
+    }
+
+    /// The rule bases that drive robots, each once.
+    #[must_use]
+    pub fn rules(&self) -> Vec<Arc<RuleBase>> {
+        let mut rules: Vec<Arc<RuleBase>> = Vec::new();
+        for found in self.plain.iter().filter_map(plain::PlainExperiment::rules) {
+            if rules.iter().all(|known| known.name() != found.name()) {
+                rules.push(found);
+            }
+        }
+        rules
     }
 
     /// Adds a maze or a process for this run, before all others of its name.

@@ -10,7 +10,7 @@ use sonarium_core::settings::{SettingError, Spec};
 
 use super::worlds::NamedWorld;
 use super::{
-    Catalog, Experiment, MAX_TRIALS, TablePlan, Trained, network, presets, values, worlds,
+    Catalog, Experiment, MAX_TRIALS, PlainPlan, Trained, network, presets, values, worlds,
 };
 use crate::clock;
 use crate::session::Names;
@@ -60,8 +60,8 @@ pub struct Plan {
 pub enum Job {
     /// A robot that learns a path.
     Path(Box<Plan>),
-    /// Learners with tables.
-    Table(Box<TablePlan>),
+    /// An experiment that is wholly given by its settings.
+    Plain(Box<PlainPlan>),
 }
 
 impl Job {
@@ -70,7 +70,7 @@ impl Job {
     pub fn changed(&self) -> &[String] {
         match self {
             Self::Path(plan) => &plan.changed,
-            Self::Table(plan) => &plan.changed,
+            Self::Plain(plan) => &plan.changed,
         }
     }
 
@@ -79,7 +79,7 @@ impl Job {
     pub fn speed(&self) -> Speed {
         match self {
             Self::Path(plan) => plan.speed,
-            Self::Table(plan) => plan.speed,
+            Self::Plain(plan) => plan.speed,
         }
     }
 
@@ -88,7 +88,7 @@ impl Job {
     pub fn seed(&self) -> u64 {
         match self {
             Self::Path(plan) => plan.seed,
-            Self::Table(plan) => plan.seed,
+            Self::Plain(plan) => plan.seed,
         }
     }
 }
@@ -116,8 +116,8 @@ impl Catalog {
     /// # Errors
     /// The first field that is unknown, of the wrong type or out of range.
     pub fn job(&self, request: &NewSession) -> Result<Job, FieldError> {
-        match self.resolve_table(request) {
-            Some(plan) => Ok(Job::Table(Box::new(plan?))),
+        match self.resolve_plain(request) {
+            Some(plan) => Ok(Job::Plain(Box::new(plan?))),
             None => Ok(Job::Path(Box::new(self.resolve(request)?))),
         }
     }
@@ -128,8 +128,8 @@ impl Catalog {
     /// # Errors
     /// When this program no longer knows its experiment, its world or one of its settings.
     pub fn restore(&self, row: &SessionRow, network: Option<&str>) -> Result<Job, FieldError> {
-        match self.restore_table(row) {
-            Some(plan) => Ok(Job::Table(Box::new(plan?))),
+        match self.restore_plain(row) {
+            Some(plan) => Ok(Job::Plain(Box::new(plan?))),
             None => Ok(Job::Path(Box::new(self.restore_path(row, network)?))),
         }
     }
@@ -176,7 +176,7 @@ impl Catalog {
         let found = self.experiments.iter().find(|experiment| experiment.name == name);
         found.ok_or_else(|| {
             let paths = self.experiments.iter().map(|experiment| experiment.name.as_str());
-            let tables = self.tables.iter().map(|table| table.name.as_str());
+            let tables = self.plain.iter().map(|table| table.name.as_str());
             let names: Vec<&str> = paths.chain(tables).collect();
             let message = format!("there is no experiment `{name}`; there are {}", listed(&names));
             FieldError::new("experiment", message)
@@ -273,7 +273,7 @@ pub(super) fn seed(seed: Option<u64>) -> Result<u64, FieldError> {
     }
 }
 
-fn trials(trials: u32) -> Result<u32, FieldError> {
+pub(super) fn trials(trials: u32) -> Result<u32, FieldError> {
     match trials {
         fine @ 1..=MAX_TRIALS => Ok(fine),
         wrong => {

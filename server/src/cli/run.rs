@@ -15,6 +15,7 @@ use crate::catalog::{Catalog, FieldError, Plan, Trained, flatten, from_text, sta
 use crate::session::{Run, check_starts};
 use crate::wire::{Family, NewSession, RunResult};
 
+mod drive;
 mod network;
 mod recorded;
 mod table;
@@ -38,7 +39,8 @@ pub(super) struct Arguments {
     /// TOML file with `seed`, `trials` and a table `settings`; what is given here comes first
     #[arg(long, value_name = "FILE")]
     config: Option<PathBuf>,
-    /// Trials, 1 to 100000; those of each episode in a tabular experiment
+    /// Trials, 1 to 100000; those of each episode in a tabular experiment, runs of each
+    /// method in one of chapter 2
     #[arg(long)]
     trials: Option<u32>,
     /// World of this run: a TOML file, or the YAML file of a ROS map; a maze or a process for `gridworld`;
@@ -70,8 +72,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut catalog = Catalog::load(Some(&own_worlds))?;
     let mut requests = requests(arguments)?;
     let family = catalog.experiment(&arguments.experiment).map(|experiment| experiment.family);
-    if family == Some(Family::Table) {
-        return table::run(arguments, catalog, requests);
+    match family {
+        Some(Family::Table) => return table::run(arguments, catalog, requests),
+        Some(Family::Drive) => return drive::run(arguments, catalog, &requests),
+        Some(Family::Path) | None => {}
     }
     match &arguments.world {
         Some(file) => give_world(&mut catalog, &mut requests, file, &arguments.placing)?,

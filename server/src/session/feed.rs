@@ -10,8 +10,9 @@ use tokio::sync::watch;
 
 use super::present::Present;
 use crate::wire::{
-    CurvePoint, EpisodeView, HELLO_EPISODES, HELLO_TRIALS, Hello, LogEntry, Round, STREAM_VERSION,
-    ScoresView, ServerMessage, Session, TaskView, Trial, WorldView, Yardstick,
+    CourseView, CurvePoint, DriveScores, EpisodeView, HELLO_EPISODES, HELLO_TRIALS, Hello,
+    LogEntry, Round, STREAM_VERSION, ScoresView, ServerMessage, Session, TaskView, Trial,
+    WorldView, Yardstick,
 };
 
 /// Events a late client can still catch up on.
@@ -35,6 +36,8 @@ pub enum Scene {
     World(Arc<WorldView>),
     /// The world of a tabular experiment.
     Task(Arc<TaskView>),
+    /// Where the robot of chapter 2 drives.
+    Course(Arc<CourseView>),
 }
 
 /// What happened since the last snapshot.
@@ -137,11 +140,17 @@ impl Feed {
         let episodes: Vec<&EpisodeView> =
             rounds.iter().filter_map(|round| round.episode()).collect();
         let newest = episodes.len().saturating_sub(HELLO_EPISODES);
-        let (path, table) = (snapshot.present.path(), snapshot.present.table());
-        let (world, task) = match &self.scene {
-            Scene::World(world) => (Some(WorldView::clone(world)), None),
-            Scene::Task(task) => (None, Some(TaskView::clone(task))),
+        let runs: Vec<_> = rounds.iter().filter_map(|round| round.run()).collect();
+        let newest_run = runs.len().saturating_sub(HELLO_EPISODES);
+        let present = &snapshot.present;
+        let (path, table, drive) = (present.path(), present.table(), present.drive());
+        let (world, task, course) = match &self.scene {
+            Scene::World(world) => (Some(WorldView::clone(world)), None, None),
+            Scene::Task(task) => (None, Some(TaskView::clone(task)), None),
+            Scene::Course(course) => (None, None, Some(CourseView::clone(course))),
         };
+        let cycles =
+            drive.map(|drive| drive.cycles.iter().map(|cycle| (**cycle).clone()).collect());
         Hello {
             version: STREAM_VERSION,
             seq,
@@ -152,6 +161,10 @@ impl Feed {
             table: table.and_then(|table| table.table.as_deref().cloned()),
             scores: table.map(|table| ScoresView::clone(&table.scores)),
             episodes: episodes[newest..].iter().map(|episode| (*episode).clone()).collect(),
+            course,
+            cycles: cycles.unwrap_or_default(),
+            runs: runs[newest_run..].iter().map(|run| (*run).clone()).collect(),
+            summary: drive.map(|drive| DriveScores::clone(&drive.scores)),
             trials: rounds.iter().filter_map(|round| round.trial().cloned()).collect(),
             neurons: path.map(|path| path.neurons.to_vec()).unwrap_or_default(),
             tick: path.and_then(|path| path.tick.as_deref().cloned()).map(Box::new),
@@ -247,11 +260,12 @@ impl Feed {
 
 impl Inner {
     fn tell_rounds(&mut self, rounds: Vec<Round>, present: &Present) {
-        let (mut trials, mut episodes) = (Vec::new(), Vec::new());
+        let (mut trials, mut episodes, mut runs) = (Vec::new(), Vec::new(), Vec::new());
         for round in rounds {
             match round {
                 Round::Trial(trial) => trials.push(self.yardstick.mark(*trial)),
                 Round::Episode(episode) => episodes.push(*episode),
+                Round::Run(run) => runs.push(*run),
             }
         }
         if !trials.is_empty() {
@@ -260,6 +274,15 @@ impl Inner {
             self.rounds.extend(rounds.map(Arc::new));
             self.push(|seq| ServerMessage::Trial { seq, trials });
             self.push(|seq| ServerMessage::Curve { seq, points });
+        }
+        if !runs.is_empty() {
+            let rounds = runs.iter().map(|run| Round::Run(Box::new(run.clone())));
+            self.rounds.extend(rounds.map(Arc::new));
+            self.push(|seq| ServerMessage::Run { seq, runs });
+            if let Some(drive) = present.drive() {
+                let summary = DriveScores::clone(&drive.scores);
+                self.push(|seq| ServerMessage::Summary { seq, summary });
+            }
         }
         if !episodes.is_empty() {
             let rounds = episodes.iter().map(|episode| Round::Episode(Box::new(episode.clone())));

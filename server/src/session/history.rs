@@ -4,16 +4,17 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::arena::world_view;
+use super::drive_run::course;
 use super::feed::{Feed, Scene, Snapshot};
 use super::machine::Machine;
 use super::paths::Paths;
-use super::present::{PathPresent, Present, TablePresent};
+use super::present::{DrivePresent, PathPresent, Present, TablePresent};
 use super::state::Condition;
 use super::table_view::task_view;
-use crate::catalog::{FieldError, Job, TablePlan};
+use crate::catalog::{FieldError, Job, PlainPlan};
 use crate::clock;
 use crate::store::{LogHeader, SessionRow, Store, StoreError};
-use crate::wire::{Family, NeuronView, Session, State, TickView, Trial};
+use crate::wire::{Family, HELLO_CYCLES, NeuronView, Session, State, TickView, Trial};
 
 /// Letters and digits of identifiers: none that is easily taken for another.
 const ALPHABET: &[u8] = b"abcdefghjkmnpqrstuvwxyz23456789";
@@ -75,7 +76,14 @@ pub(super) fn feed(store: &Store, job: &Job, session: Session) -> Result<Feed, S
             };
             (Scene::World(Arc::new(world_view(plan))), Present::Path(present))
         }
-        Job::Table(plan) => {
+        Job::Plain(plan) if plan.settings.family() == Family::Drive => {
+            let present = drive_present(store, plan, job, &session)?;
+            let unfit =
+                |error: FieldError| StoreError::Unfit { id: id.clone(), reason: error.to_string() };
+            let scene = Scene::Course(Arc::new(course(plan).map_err(unfit)?));
+            (scene, Present::Drive(present))
+        }
+        Job::Plain(plan) => {
             let present = table_present(store, plan, job, &session)?;
             (Scene::Task(Arc::new(task_view(plan))), Present::Table(present))
         }
@@ -84,10 +92,36 @@ pub(super) fn feed(store: &Store, job: &Job, session: Session) -> Result<Feed, S
     Ok(Feed::new(scene, Snapshot { session, present }, rounds, log))
 }
 
+/// The last cycles of a session of chapter 2, and how its methods stood at its last checkpoint.
+fn drive_present(
+    store: &Store,
+    plan: &PlainPlan,
+    job: &Job,
+    session: &Session,
+) -> Result<DrivePresent, StoreError> {
+    let mut present = DrivePresent::default();
+    if session.tick > 0 {
+        let first = session.tick.saturating_sub(HELLO_CYCLES as u64 - 1).max(1);
+        for cycle in store.cycles(&session.id, first, session.tick)? {
+            present.take(cycle);
+        }
+    }
+    let mut present = Present::Drive(present);
+    if let Some(stored) = store.checkpoint(&session.id)? {
+        match Machine::resume(job, &stored) {
+            Ok(machine) => present.count(&machine),
+            Err(FieldError { message, .. }) => {
+                tracing::warn!("session {} of {}: {message}", session.id, plan.experiment);
+            }
+        }
+    }
+    Ok(present.drive().cloned().unwrap_or_default())
+}
+
 /// A tabular session as its last checkpoint left it, and its last step.
 fn table_present(
     store: &Store,
-    plan: &TablePlan,
+    plan: &PlainPlan,
     job: &Job,
     session: &Session,
 ) -> Result<TablePresent, StoreError> {
@@ -179,8 +213,8 @@ pub(crate) fn new_row(job: &Job) -> Result<SessionRow, FieldError> {
             trials_each: plan.trials,
             ..row
         },
-        Job::Table(plan) => SessionRow {
-            family: Family::Table,
+        Job::Plain(plan) => SessionRow {
+            family: plan.settings.family(),
             experiment: plan.experiment.clone(),
             seed: plan.seed,
             preset: plan.preset.clone(),

@@ -208,7 +208,7 @@ impl Lab {
     pub fn plan(&self, id: &str) -> Result<Plan, LabError> {
         match self.job(id)? {
             Job::Path(plan) => Ok(*plan),
-            Job::Table(plan) => Err(LabError::Field(FieldError::new(
+            Job::Plain(plan) => Err(LabError::Field(FieldError::new(
                 "experiment",
                 format!("a session of `{}` has no robot, arena or networks", plan.experiment),
             ))),

@@ -1,17 +1,23 @@
 //! What an actor drives: a robot's run or a tabular one.
 
+use super::drive_run::DriveRun;
 use super::run::Run;
 use super::table_run::{Intervention, TableRun};
-use crate::catalog::{FieldError, Job};
+use crate::catalog::{FieldError, Job, PlainPlan};
 use crate::store::{LogRecord, StoredCheckpoint};
-use crate::wire::{EpisodeView, NeuronView, Round, StepView, TableFile, TickView, TrialEndView};
+use crate::wire::{
+    CycleView, DriveRunView, EpisodeView, Family, NeuronView, Round, StepView, TableFile, TickView,
+    TrialEndView,
+};
 
-/// A run of either family.
+/// A run of any family.
 pub(super) enum Machine {
     /// A robot that learns a path.
     Path(Box<Run>),
     /// Learners with tables.
     Table(Box<TableRun>),
+    /// A robot driven by rules.
+    Drive(Box<DriveRun>),
 }
 
 /// What one step gave.
@@ -20,6 +26,8 @@ pub(super) enum Stepped {
     Path(Box<TickView>, Option<Box<TrialEndView>>),
     /// Of a table; with the end of the episode.
     Table(StepView, Option<Box<EpisodeView>>),
+    /// Of a robot driven by rules; with the end of the run.
+    Drive(Box<CycleView>, Option<Box<DriveRunView>>),
 }
 
 impl Machine {
@@ -27,7 +35,8 @@ impl Machine {
     pub(super) fn new(job: &Job) -> Result<Self, FieldError> {
         Ok(match job {
             Job::Path(plan) => Self::Path(Box::new(Run::new(plan)?)),
-            Job::Table(plan) => Self::Table(Box::new(TableRun::new(plan)?)),
+            Job::Plain(plan) if is_drive(plan) => Self::Drive(Box::new(DriveRun::new(plan)?)),
+            Job::Plain(plan) => Self::Table(Box::new(TableRun::new(plan)?)),
         })
     }
 
@@ -35,7 +44,10 @@ impl Machine {
     pub(super) fn resume(job: &Job, stored: &StoredCheckpoint) -> Result<Self, FieldError> {
         Ok(match job {
             Job::Path(plan) => Self::Path(Box::new(Run::resume(plan, stored)?)),
-            Job::Table(plan) => Self::Table(Box::new(TableRun::resume(plan, stored)?)),
+            Job::Plain(plan) if is_drive(plan) => {
+                Self::Drive(Box::new(DriveRun::resume(plan, stored)?))
+            }
+            Job::Plain(plan) => Self::Table(Box::new(TableRun::resume(plan, stored)?)),
         })
     }
 
@@ -49,6 +61,10 @@ impl Machine {
                 let stepped = run.step();
                 Stepped::Table(stepped.step, stepped.end.map(Box::new))
             }
+            Self::Drive(run) => {
+                let stepped = run.step();
+                Stepped::Drive(Box::new(stepped.cycle), stepped.end.map(Box::new))
+            }
         }
     }
 
@@ -56,29 +72,35 @@ impl Machine {
         match self {
             Self::Path(run) => run.checkpoint(),
             Self::Table(run) => run.checkpoint(),
+            Self::Drive(run) => run.checkpoint(),
         }
     }
 
     pub(super) fn neuron(&self, number: u32) -> Option<NeuronView> {
         match self {
             Self::Path(run) => run.neuron(number),
-            Self::Table(_) => None,
+            Self::Table(_) | Self::Drive(_) => None,
         }
     }
 
     pub(super) fn intervene(&mut self, intervention: &Intervention) -> Result<String, FieldError> {
         match self {
             Self::Table(run) => run.intervene(intervention),
+            Self::Drive(run) => run.intervene(intervention),
             Self::Path(_) => Err(no_table()),
         }
     }
 
     pub(super) fn table_file(&self, job: &Job) -> Result<TableFile, FieldError> {
         match (self, job) {
-            (Self::Table(run), Job::Table(plan)) => run.table_file(plan),
+            (Self::Table(run), Job::Plain(plan)) => run.table_file(plan),
             _ => Err(no_table()),
         }
     }
+}
+
+fn is_drive(plan: &PlainPlan) -> bool {
+    plan.settings.family() == Family::Drive
 }
 
 fn no_table() -> FieldError {
@@ -90,7 +112,8 @@ impl Job {
     pub(super) fn rounds(&self) -> Result<u32, FieldError> {
         match self {
             Self::Path(plan) => Ok(plan.trials),
-            Self::Table(plan) => TableRun::new(plan).map(|run| run.rounds()),
+            Self::Plain(plan) if is_drive(plan) => DriveRun::new(plan).map(|run| run.rounds()),
+            Self::Plain(plan) => TableRun::new(plan).map(|run| run.rounds()),
         }
     }
 }
@@ -101,6 +124,7 @@ impl Stepped {
         match self {
             Self::Path(tick, _) => tick.tick,
             Self::Table(step, _) => step.tick(),
+            Self::Drive(cycle, _) => cycle.tick,
         }
     }
 
@@ -109,6 +133,7 @@ impl Stepped {
         match self {
             Self::Path(_, end) => end.as_ref().map(|end| Round::Trial(Box::new(end.trial.clone()))),
             Self::Table(_, end) => end.as_ref().map(|end| Round::Episode(end.clone())),
+            Self::Drive(_, end) => end.as_ref().map(|end| Round::Run(end.clone())),
         }
     }
 
@@ -119,6 +144,7 @@ impl Stepped {
             Self::Table(step, end) => {
                 (LogRecord::Step(Box::new(step)), end.map(LogRecord::EpisodeEnd))
             }
+            Self::Drive(cycle, end) => (LogRecord::Cycle(cycle), end.map(LogRecord::RunEnd)),
         };
         std::iter::once(step).chain(end)
     }

@@ -15,6 +15,8 @@
 
 mod actor;
 mod arena;
+mod drive_run;
+mod drive_view;
 mod feed;
 mod history;
 mod lab;
@@ -41,11 +43,13 @@ mod tests;
 
 pub use actor::ControlError;
 pub use arena::{Scenery, empty_arena, world_view};
+pub use drive_run::{DriveRun, course};
+pub use drive_view::rule_list;
 pub use feed::{Event, Feed, Missed, News, Scene, Snapshot, Viewer, text};
 pub(crate) use history::{log_header, new_row};
 pub use lab::{Lab, LabError};
 pub use paths::Paths;
-pub use present::{PathPresent, Present, TablePresent};
+pub use present::{DrivePresent, PathPresent, Present, TablePresent};
 pub use reporting::{ReportError, Reporter, summary};
 pub use run::{Run, Stepped};
 pub use starts::{MOST_STARTS, check_starts, starts_arena};

@@ -1,10 +1,14 @@
 //! The present of a session, as viewers see it between two snapshots.
 
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::machine::{Machine, Stepped};
 use super::paths::Paths;
-use crate::wire::{Family, NeuronView, ScoresView, StepView, TableView, TickView};
+use crate::wire::{
+    CycleView, DriveScores, Family, HELLO_CYCLES, NeuronView, ScoresView, StepView, TableView,
+    TickView,
+};
 
 /// What of a session changes with every step. Cheap to clone.
 #[derive(Clone, Debug)]
@@ -13,6 +17,8 @@ pub enum Present {
     Path(PathPresent),
     /// Of a tabular experiment.
     Table(TablePresent),
+    /// Of a robot driven by rules.
+    Drive(DrivePresent),
 }
 
 /// A robot's step, its learner's neurons, and where it has been.
@@ -37,6 +43,15 @@ pub struct TablePresent {
     pub scores: Arc<ScoresView>,
 }
 
+/// The latest cycles of a robot driven by rules.
+#[derive(Clone, Debug, Default)]
+pub struct DrivePresent {
+    /// The newest last, at most [`HELLO_CYCLES`].
+    pub cycles: Arc<VecDeque<Arc<CycleView>>>,
+    /// How the methods stand.
+    pub scores: Arc<DriveScores>,
+}
+
 impl Present {
     /// Before the first step.
     #[must_use]
@@ -44,6 +59,7 @@ impl Present {
         match family {
             Family::Path => Self::Path(PathPresent::default()),
             Family::Table => Self::Table(TablePresent::default()),
+            Family::Drive => Self::Drive(DrivePresent::default()),
         }
     }
 
@@ -52,7 +68,7 @@ impl Present {
     pub fn path(&self) -> Option<&PathPresent> {
         match self {
             Self::Path(path) => Some(path),
-            Self::Table(_) => None,
+            Self::Table(_) | Self::Drive(_) => None,
         }
     }
 
@@ -61,7 +77,16 @@ impl Present {
     pub fn table(&self) -> Option<&TablePresent> {
         match self {
             Self::Table(table) => Some(table),
-            Self::Path(_) => None,
+            Self::Path(_) | Self::Drive(_) => None,
+        }
+    }
+
+    /// The present of a robot driven by rules, if it is one.
+    #[must_use]
+    pub fn drive(&self) -> Option<&DrivePresent> {
+        match self {
+            Self::Drive(drive) => Some(drive),
+            Self::Path(_) | Self::Table(_) => None,
         }
     }
 
@@ -71,6 +96,7 @@ impl Present {
         match self {
             Self::Path(path) => path.tick.as_ref().map(|tick| tick.tick),
             Self::Table(table) => table.step.as_ref().map(|step| step.tick()),
+            Self::Drive(drive) => drive.cycles.back().map(|cycle| cycle.tick),
         }
     }
 
@@ -87,8 +113,9 @@ impl Present {
             (Self::Table(table), Stepped::Table(step, _)) => {
                 table.step = Some(Arc::new(step.clone()));
             }
+            (Self::Drive(drive), Stepped::Drive(cycle, _)) => drive.take((**cycle).clone()),
             // A session has one family from its creation on.
-            (Self::Path(_), Stepped::Table(..)) | (Self::Table(_), Stepped::Path(..)) => {}
+            _ => {}
         }
     }
 
@@ -99,14 +126,16 @@ impl Present {
             (Self::Table(table), Machine::Table(run)) => {
                 table.table = Some(Arc::new(run.table(table.step.as_deref())));
             }
-            (Self::Path(_), Machine::Table(_)) | (Self::Table(_), Machine::Path(_)) => {}
+            _ => {}
         }
     }
 
     /// Counts how competitors stand after an episode.
     pub(super) fn count(&mut self, machine: &Machine) {
-        if let (Self::Table(table), Machine::Table(run)) = (self, machine) {
-            table.scores = Arc::new(run.scores());
+        match (self, machine) {
+            (Self::Table(table), Machine::Table(run)) => table.scores = Arc::new(run.scores()),
+            (Self::Drive(drive), Machine::Drive(run)) => drive.scores = Arc::new(run.scores()),
+            _ => {}
         }
     }
 
@@ -118,6 +147,18 @@ impl Present {
                 path.tick = None;
             }
             Self::Table(table) => table.step = None,
+            Self::Drive(drive) => drive.cycles = Arc::default(),
+        }
+    }
+}
+
+impl DrivePresent {
+    /// Takes a cycle in; the oldest goes when there are too many.
+    pub(super) fn take(&mut self, cycle: CycleView) {
+        let cycles = Arc::make_mut(&mut self.cycles);
+        cycles.push_back(Arc::new(cycle));
+        if cycles.len() > HELLO_CYCLES {
+            cycles.pop_front();
         }
     }
 }

@@ -6,11 +6,11 @@ use super::paths::Paths;
 use super::starts::starts_arena;
 use crate::catalog::Plan;
 use crate::render::{ArenaView, Quality, RenderError, Renderer};
-use crate::report::{Picture, SessionReport, TableReport, TrialReport};
+use crate::report::{DriveReport, Picture, SessionReport, TableReport, TrialReport};
 use crate::store::StoreError;
 use crate::wire::{
-    AlteredStartView, Family, PresetInfo, Round, ScoresView, Session, Summary, ThemeName, TickView,
-    Trial, TrialEndView, Yardstick,
+    AlteredStartView, DriveScores, Family, PresetInfo, Round, ScoresView, Session, Summary,
+    ThemeName, TickView, Trial, TrialEndView, Yardstick,
 };
 use crate::yardstick;
 
@@ -87,20 +87,48 @@ impl Reporter<'_> {
     /// When the session cannot be read.
     pub fn table(&self, id: &str) -> Result<Option<TableReport>, ReportError> {
         let session = self.lab.session(id)?;
-        if session.family == Family::Path {
+        if session.family != Family::Table {
             return Ok(None);
         }
         let feed = self.lab.feed(id)?;
         let rounds = self.lab.store().rounds(id)?.into_iter();
         let episode = |round| match round {
             Round::Episode(episode) => Some(*episode),
-            Round::Trial(_) => None,
+            Round::Trial(_) | Round::Run(_) => None,
         };
         let present = feed.snapshot().present.table().cloned().unwrap_or_default();
         Ok(Some(TableReport {
             title: self.title(&session),
             scores: ScoresView::clone(&present.scores),
             episodes: rounds.filter_map(episode).collect(),
+            settings: self.experiment(&session).map(|e| e.settings.clone()).unwrap_or_default(),
+            preset: self.preset(&session),
+            events: self.lab.store().events(id, LINES)?,
+            build: crate::build(),
+            session,
+        }))
+    }
+
+    /// Everything the report of a session of chapter 2 is made from; none for another session.
+    ///
+    /// # Errors
+    /// When the session cannot be read.
+    pub fn drive(&self, id: &str) -> Result<Option<DriveReport>, ReportError> {
+        let session = self.lab.session(id)?;
+        if session.family != Family::Drive {
+            return Ok(None);
+        }
+        let feed = self.lab.feed(id)?;
+        let rounds = self.lab.store().rounds(id)?.into_iter();
+        let run = |round| match round {
+            Round::Run(run) => Some(*run),
+            Round::Trial(_) | Round::Episode(_) => None,
+        };
+        let present = feed.snapshot().present.drive().cloned().unwrap_or_default();
+        Ok(Some(DriveReport {
+            title: self.title(&session),
+            scores: DriveScores::clone(&present.scores),
+            runs: rounds.filter_map(run).collect(),
             settings: self.experiment(&session).map(|e| e.settings.clone()).unwrap_or_default(),
             preset: self.preset(&session),
             events: self.lab.store().events(id, LINES)?,

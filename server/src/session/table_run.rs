@@ -9,7 +9,7 @@ use sonarium_core::labyrinth::LabyrinthError;
 use sonarium_core::tabular::WalkError;
 
 use super::table_view as view;
-use crate::catalog::{FieldError, TablePlan, TableSettings};
+use crate::catalog::{FieldError, PlainPlan, PlainSettings};
 use crate::store::{LogRecord, StoredCheckpoint};
 use crate::wire::{
     EpisodeView, InterventionView, OutcomeOfEpisode, ScoresView, StepView, TableFile, TableView,
@@ -62,6 +62,15 @@ pub enum Intervention {
     },
     /// Puts a table in the place of the learner's.
     Load(Vec<Vec<f64>>),
+    /// Changes the method that drives a robot.
+    Method(String),
+    /// Lets a sonar fall silent, or answer again.
+    Sonar {
+        /// Which, from 0.
+        sonar: usize,
+        /// Silent or not.
+        silent: bool,
+    },
 }
 
 /// A checkpoint as it is stored.
@@ -83,7 +92,7 @@ impl TableRun {
     ///
     /// # Errors
     /// The setting that contradicts itself or another.
-    pub fn new(plan: &TablePlan) -> Result<Self, FieldError> {
+    pub fn new(plan: &PlainPlan) -> Result<Self, FieldError> {
         Self::with(plan, Machine::new(plan)?, Round { first_tick: 1, ..Round::default() })
     }
 
@@ -91,7 +100,7 @@ impl TableRun {
     ///
     /// # Errors
     /// When the checkpoint is damaged or belongs to another program or setting.
-    pub fn resume(plan: &TablePlan, stored: &StoredCheckpoint) -> Result<Self, FieldError> {
+    pub fn resume(plan: &PlainPlan, stored: &StoredCheckpoint) -> Result<Self, FieldError> {
         let refuse =
             |why: String| FieldError::new("checkpoint", format!("{why}; reset the session"));
         let Stored { round, machine } =
@@ -101,7 +110,7 @@ impl TableRun {
         Self::with(plan, machine, round)
     }
 
-    fn with(plan: &TablePlan, machine: Machine, round: Round) -> Result<Self, FieldError> {
+    fn with(plan: &PlainPlan, machine: Machine, round: Round) -> Result<Self, FieldError> {
         let rounds = u64::from(plan.settings.episodes()) * machine.rounds_an_episode();
         let rounds = u32::try_from(rounds).map_err(|_| {
             let message = format!("{rounds} episodes of all competitors are too many");
@@ -235,6 +244,7 @@ impl TableRun {
             Intervention::Advise(text) => walk.advise(text).map_err(WalkError::Advice),
             Intervention::Edit { state, action, value } => walk.edit(*state, *action, *value),
             Intervention::Load(values) => walk.load(values),
+            Intervention::Method(_) | Intervention::Sonar { .. } => return Err(no_robot()),
         };
         done.map_err(|error| intervention.refused(&error))?;
         let (kind, text) = intervention.words();
@@ -248,7 +258,7 @@ impl TableRun {
     ///
     /// # Errors
     /// When there is no learner with a table of its own.
-    pub fn table_file(&self, plan: &TablePlan) -> Result<TableFile, FieldError> {
+    pub fn table_file(&self, plan: &PlainPlan) -> Result<TableFile, FieldError> {
         let none = || {
             let message = "this learner keeps no single table that could be saved";
             FieldError::new("experiment", message)
@@ -259,50 +269,51 @@ impl TableRun {
 }
 
 impl Machine {
-    fn new(plan: &TablePlan) -> Result<Self, FieldError> {
+    fn new(plan: &PlainPlan) -> Result<Self, FieldError> {
         let seed = plan.seed;
         Ok(match &plan.settings {
-            TableSettings::Labyrinth(settings) => Self::Contest(Box::new(
+            PlainSettings::Labyrinth(settings) => Self::Contest(Box::new(
                 settings.contest(&plan.texts.extras()?, seed).map_err(|e| contest_field(&e))?,
             )),
-            TableSettings::Continual(settings) => {
+            PlainSettings::Continual(settings) => {
                 Self::Contest(Box::new(settings.contest(seed).map_err(|e| contest_field(&e))?))
             }
-            TableSettings::Gridworld(settings) => {
+            PlainSettings::Gridworld(settings) => {
                 let (world, advice) = (view::gridworld(plan)?, &plan.texts.advice);
                 let contest = settings.contest(world, advice, seed);
                 Self::Contest(Box::new(contest.map_err(|e| contest_field(&e))?))
             }
-            TableSettings::Bandit(settings) => Self::Bandit(Box::new(
+            PlainSettings::Bandit(settings) => Self::Bandit(Box::new(
                 BanditRun::new(settings.clone(), seed, None).map_err(|e| setting_field(&e))?,
             )),
-            TableSettings::Horizon(settings) => {
+            PlainSettings::Horizon(settings) => {
                 Self::Horizon(Box::new(HorizonRun::new(settings.clone(), 0)))
             }
+            _ => return Err(FieldError::new("experiment", "must be a tabular one")),
         })
     }
 
-    fn resume(plan: &TablePlan, stored: StoredMachine) -> Result<Self, FieldError> {
+    fn resume(plan: &PlainPlan, stored: StoredMachine) -> Result<Self, FieldError> {
         let seed = plan.seed;
         Ok(match (&plan.settings, stored) {
-            (TableSettings::Labyrinth(settings), StoredMachine::Contest(checkpoint)) => {
+            (PlainSettings::Labyrinth(settings), StoredMachine::Contest(checkpoint)) => {
                 let contest = settings.resume(&plan.texts.extras()?, seed, &checkpoint);
                 Self::Contest(Box::new(contest.map_err(|e| contest_field(&e))?))
             }
-            (TableSettings::Continual(settings), StoredMachine::Contest(checkpoint)) => {
+            (PlainSettings::Continual(settings), StoredMachine::Contest(checkpoint)) => {
                 let contest = settings.resume(seed, &checkpoint);
                 Self::Contest(Box::new(contest.map_err(|e| contest_field(&e))?))
             }
-            (TableSettings::Gridworld(settings), StoredMachine::Contest(checkpoint)) => {
+            (PlainSettings::Gridworld(settings), StoredMachine::Contest(checkpoint)) => {
                 let (world, advice) = (view::gridworld(plan)?, &plan.texts.advice);
                 let contest = settings.resume(world, advice, seed, &checkpoint);
                 Self::Contest(Box::new(contest.map_err(|e| contest_field(&e))?))
             }
-            (TableSettings::Bandit(settings), StoredMachine::Bandit(checkpoint)) => {
+            (PlainSettings::Bandit(settings), StoredMachine::Bandit(checkpoint)) => {
                 let run = BanditRun::new(settings.clone(), seed, Some(checkpoint));
                 Self::Bandit(Box::new(run.map_err(|e| setting_field(&e))?))
             }
-            (TableSettings::Horizon(settings), StoredMachine::Horizon(tick)) => {
+            (PlainSettings::Horizon(settings), StoredMachine::Horizon(tick)) => {
                 Self::Horizon(Box::new(HorizonRun::new(settings.clone(), tick)))
             }
             _ => return Err(FieldError::new("checkpoint", "it is of another experiment")),
@@ -381,6 +392,7 @@ impl Intervention {
                 ("value", format!("Set Q({state}, {action}) to {value}"))
             }
             Self::Load(_) => ("table", "Loaded a table of values".into()),
+            Self::Method(_) | Self::Sonar { .. } => ("robot", String::new()),
         }
     }
 
@@ -389,9 +401,14 @@ impl Intervention {
             Self::Advise(_) => "text",
             Self::Edit { .. } => "value",
             Self::Load(_) => "values",
+            Self::Method(_) | Self::Sonar { .. } => "experiment",
         };
         FieldError::new(field, error.to_string())
     }
+}
+
+fn no_robot() -> FieldError {
+    FieldError::new("experiment", "a tabular experiment has no robot with sonars")
 }
 
 /// The setting at fault, as far as the error tells it.

@@ -22,7 +22,7 @@ fn request(experiment: &str, settings: Json, speed: Speed) -> NewSession {
 fn undisturbed(request: &NewSession) -> Vec<EpisodeView> {
     let catalog = Catalog::load(None).expect("the embedded files");
     match catalog.job(request).expect("a good request") {
-        Job::Table(plan) => batch::table(&plan, || {}).expect("good settings").episodes,
+        Job::Plain(plan) => batch::table(&plan, || {}).expect("good settings").episodes,
         Job::Path(_) => panic!("{} is no tabular experiment", request.experiment),
     }
 }

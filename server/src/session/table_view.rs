@@ -12,7 +12,7 @@ use sonarium_core::tabular::{
     AnyLearner, AnyWorld, Backup, Learner, Mdp, Reward, RuleRecord, Strategy, Trial, Update, World,
 };
 
-use crate::catalog::{FieldError, TablePlan, TableSettings};
+use crate::catalog::{FieldError, PlainPlan, PlainSettings};
 use crate::wire::{
     AdviceView, BackupView, BanditView, CompetitorCurve, CrossingView, FeatureView, HorizonView,
     IntervalView, LearnerView, ModelView, PlanningView, PointView, PolicyView, PullView, QueueView,
@@ -349,14 +349,14 @@ pub(super) fn table_file(contest: &Contest, experiment: &str) -> Option<TableFil
 }
 
 /// The world of `gridworld`.
-pub(super) fn gridworld(plan: &TablePlan) -> Result<&Arc<AnyWorld>, FieldError> {
+pub(super) fn gridworld(plan: &PlainPlan) -> Result<&Arc<AnyWorld>, FieldError> {
     let missing = || FieldError::new("settings.world", "must name a maze or a process");
     plan.task.as_ref().map(|task| &task.world).ok_or_else(missing)
 }
 
 /// The world of a plan, for drawing.
 #[must_use]
-pub fn task_view(plan: &TablePlan) -> TaskView {
+pub fn task_view(plan: &PlainPlan) -> TaskView {
     let (name, title) = match &plan.task {
         Some(task) => (task.name.clone(), task.title.clone()),
         None => (plan.experiment.clone(), plan.title.clone()),
@@ -374,19 +374,20 @@ pub fn task_view(plan: &TablePlan) -> TaskView {
         policies: Vec::new(),
     };
     match &plan.settings {
-        TableSettings::Labyrinth(settings) => labyrinth_task(settings.labyrinth().ok(), empty),
-        TableSettings::Continual(settings) => labyrinth_task(settings.labyrinth().ok(), empty),
-        TableSettings::Gridworld(_) => match plan.task.as_ref().map(|task| task.world.as_ref()) {
+        PlainSettings::Labyrinth(settings) => labyrinth_task(settings.labyrinth().ok(), empty),
+        PlainSettings::Continual(settings) => labyrinth_task(settings.labyrinth().ok(), empty),
+        PlainSettings::Gridworld(_) => match plan.task.as_ref().map(|task| task.world.as_ref()) {
             Some(AnyWorld::Maze(maze)) => maze_task(maze, empty),
             Some(world) => TaskView { kind: "process".into(), ..world_task(world, empty) },
             None => empty,
         },
-        TableSettings::Bandit(settings) => TaskView {
+        PlainSettings::Bandit(settings) => TaskView {
             kind: "levers".into(),
             actions: (1..=settings.arms).map(|lever| format!("lever {lever}")).collect(),
             ..empty
         },
-        TableSettings::Horizon(settings) => horizon_task(settings, empty),
+        PlainSettings::Horizon(settings) => horizon_task(settings, empty),
+        _ => empty,
     }
 }
 

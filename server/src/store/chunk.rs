@@ -1,7 +1,9 @@
 //! What the index knows about one chunk of a log.
 
 use super::record::{RawMessage, Topic};
-use crate::wire::{EpisodeView, LogEntry, Round, StepView, TickView, TrialEndView};
+use crate::wire::{
+    CycleView, DriveRunView, EpisodeView, LogEntry, Round, StepView, TickView, TrialEndView,
+};
 use serde::Deserialize;
 
 /// Where a chunk lies and what is in it.
@@ -34,7 +36,7 @@ struct TickNumbers {
     trial: u32,
 }
 
-/// The start of a tabular step.
+/// The start of a tabular step, or of a cycle.
 #[derive(Deserialize)]
 struct StepNumbers {
     tick: u64,
@@ -53,6 +55,15 @@ impl Contents {
 
     pub(super) fn add_step(&mut self, step: &StepView) {
         self.add_tick_numbers(step.tick(), step.round());
+    }
+
+    pub(super) fn add_cycle(&mut self, cycle: &CycleView) {
+        self.add_tick_numbers(cycle.tick, cycle.round);
+    }
+
+    pub(super) fn add_run(&mut self, run: &DriveRunView) {
+        self.add_trial(run.round);
+        self.rounds.push(Round::Run(Box::new(run.clone())));
     }
 
     pub(super) fn add_episode(&mut self, episode: &EpisodeView) {
@@ -80,7 +91,8 @@ impl Contents {
         }
         for message in messages {
             match message.topic {
-                Topic::Session | Topic::Tick | Topic::Step => {}
+                Topic::Session | Topic::Tick | Topic::Step | Topic::Cycle => {}
+                Topic::Run => contents.add_run(&serde_json::from_slice(&message.data)?),
                 Topic::Trial => contents.add_trial_end(&serde_json::from_slice(&message.data)?),
                 Topic::Episode => contents.add_episode(&serde_json::from_slice(&message.data)?),
                 Topic::Event => contents.events.push(serde_json::from_slice(&message.data)?),

@@ -9,6 +9,14 @@ use thiserror::Error;
 /// writer thread is reported to every later caller.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum StoreError {
+    /// A session whose settings this program cannot use any more.
+    #[error("session {id} cannot be opened by this program: {reason}")]
+    Unfit {
+        /// Its identifier.
+        id: String,
+        /// Why.
+        reason: String,
+    },
     /// The data folder cannot be used.
     #[error("cannot use the data folder {path}: {reason}; {advice}", path = path.display())]
     Folder {

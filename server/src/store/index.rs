@@ -45,7 +45,7 @@ impl Store {
         let rounds = self.rounds(id)?.into_iter();
         let trial = |round| match round {
             Round::Trial(trial) => Some(*trial),
-            Round::Episode(_) => None,
+            Round::Episode(_) | Round::Run(_) => None,
         };
         Ok(rounds.filter_map(trial).collect())
     }

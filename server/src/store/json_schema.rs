@@ -6,7 +6,9 @@ use serde_json::{Map, Value, json};
 use utoipa::ToSchema;
 
 use super::record::{LogHeader, Topic};
-use crate::wire::{EpisodeView, LogEntry, StepView, TickView, TrialEndView};
+use crate::wire::{
+    CycleView, DriveRunView, EpisodeView, LogEntry, StepView, TickView, TrialEndView,
+};
 
 /// Name and text of a channel's JSON schema.
 pub(super) fn of_topic(topic: Topic) -> (String, Vec<u8>) {
@@ -17,6 +19,8 @@ pub(super) fn of_topic(topic: Topic) -> (String, Vec<u8>) {
         Topic::Event => of_type::<LogEntry>(),
         Topic::Step => of_type::<StepView>(),
         Topic::Episode => of_type::<EpisodeView>(),
+        Topic::Cycle => of_type::<CycleView>(),
+        Topic::Run => of_type::<DriveRunView>(),
     }
 }
 

@@ -15,7 +15,9 @@ use serde::Serialize;
 use super::chunk::{Chunk, Contents};
 use super::record::{LogHeader, RawMessage, TICK_NS, Topic};
 use super::{StoreError, json_schema};
-use crate::wire::{EpisodeView, LogEntry, StepView, TickView, TrialEndView};
+use crate::wire::{
+    CycleView, DriveRunView, EpisodeView, LogEntry, StepView, TickView, TrialEndView,
+};
 
 /// zstd's cheapest ordinary level; its "fast" levels double the size and save no time here.
 const ZSTD_LEVEL: u32 = 1;
@@ -92,6 +94,17 @@ impl LogFile {
         self.encode(Topic::Step, step.tick(), low_bits(step.tick()), step)
     }
 
+    pub(super) fn write_cycle(&mut self, cycle: &CycleView) -> Result<(), StoreError> {
+        self.open.add_cycle(cycle);
+        self.encode(Topic::Cycle, cycle.tick, low_bits(cycle.tick), cycle)
+    }
+
+    pub(super) fn write_run(&mut self, run: &DriveRunView) -> Result<(), StoreError> {
+        self.open.add_run(run);
+        let sequence = self.next_sequence();
+        self.encode(Topic::Run, run.last_tick, sequence, run)
+    }
+
     pub(super) fn write_episode(&mut self, episode: &EpisodeView) -> Result<(), StoreError> {
         self.open.add_episode(episode);
         let sequence = self.next_sequence();
@@ -112,7 +125,7 @@ impl LogFile {
     ) -> Result<(), StoreError> {
         for message in messages {
             let sequence = match message.topic {
-                Topic::Tick | Topic::Step => low_bits(message.tick),
+                topic if topic.is_tick() => low_bits(message.tick),
                 _ => self.next_sequence(),
             };
             let header = message_header(message.topic, message.tick, sequence);

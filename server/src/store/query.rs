@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 use super::read::read_extent;
 use super::record::{LogRecord, RawMessage, Topic};
 use super::{Store, StoreError};
-use crate::wire::{StepView, TickView, TrialEndView};
+use crate::wire::{CycleView, StepView, TickView, TrialEndView};
 
 impl Store {
     /// Ticks `from` to `to`, both included, as far as they have been closed into chunks. It works
@@ -18,6 +18,11 @@ impl Store {
 
     /// The same of a tabular session.
     pub fn steps(&self, id: &str, from: u64, to: u64) -> Result<Vec<StepView>, StoreError> {
+        self.parsed(id, from, to)
+    }
+
+    /// The same of a session of chapter 2.
+    pub fn cycles(&self, id: &str, from: u64, to: u64) -> Result<Vec<CycleView>, StoreError> {
         self.parsed(id, from, to)
     }
 

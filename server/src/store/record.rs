@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
 
-use crate::wire::{EpisodeView, LogEntry, StepView, TickView, TrialEndView};
+use crate::wire::{
+    CycleView, DriveRunView, EpisodeView, LogEntry, StepView, TickView, TrialEndView,
+};
 
 /// Log time of one tick, nanoseconds: a tenth of a second, the pace of the real robot, so that a
 /// viewer of MCAP files plays a log as the robot would have driven it.
@@ -47,6 +49,10 @@ pub enum LogRecord {
     EpisodeEnd(Box<EpisodeView>),
     /// The end of a trial.
     TrialEnd(Box<TrialEndView>),
+    /// A cycle of an experiment of chapter 2.
+    Cycle(Box<CycleView>),
+    /// The end of a run of it.
+    RunEnd(Box<DriveRunView>),
     /// A line of the event log.
     Entry(LogEntry),
     /// State to resume from, after everything given before it. It goes to the index, not to the
@@ -70,15 +76,25 @@ pub(super) enum Topic {
     Event = 4,
     Step = 5,
     Episode = 6,
+    Cycle = 7,
+    Run = 8,
 }
 
 impl Topic {
-    pub(super) const ALL: [Self; 6] =
-        [Self::Session, Self::Tick, Self::Trial, Self::Event, Self::Step, Self::Episode];
+    pub(super) const ALL: [Self; 8] = [
+        Self::Session,
+        Self::Tick,
+        Self::Trial,
+        Self::Event,
+        Self::Step,
+        Self::Episode,
+        Self::Cycle,
+        Self::Run,
+    ];
 
     /// It holds ticks, whichever kind of experiment runs.
     pub(super) fn is_tick(self) -> bool {
-        matches!(self, Self::Tick | Self::Step)
+        matches!(self, Self::Tick | Self::Step | Self::Cycle)
     }
 
     /// Number of the channel and of its schema.
@@ -98,6 +114,8 @@ impl Topic {
             Self::Event => "/event",
             Self::Step => "/step",
             Self::Episode => "/episode",
+            Self::Cycle => "/cycle",
+            Self::Run => "/run",
         }
     }
 }
@@ -121,6 +139,8 @@ impl RawMessage {
             Topic::Trial => Some(LogRecord::TrialEnd(serde_json::from_slice(&self.data)?)),
             Topic::Step => Some(LogRecord::Step(serde_json::from_slice(&self.data)?)),
             Topic::Episode => Some(LogRecord::EpisodeEnd(serde_json::from_slice(&self.data)?)),
+            Topic::Cycle => Some(LogRecord::Cycle(serde_json::from_slice(&self.data)?)),
+            Topic::Run => Some(LogRecord::RunEnd(serde_json::from_slice(&self.data)?)),
             Topic::Event => Some(LogRecord::Entry(serde_json::from_slice(&self.data)?)),
         })
     }

@@ -254,6 +254,8 @@ impl Desk {
         match record {
             LogRecord::Tick(tick) => self.log.write_tick(&tick)?,
             LogRecord::TrialEnd(end) => self.log.write_trial_end(&end)?,
+            LogRecord::Cycle(cycle) => self.log.write_cycle(&cycle)?,
+            LogRecord::RunEnd(run) => self.log.write_run(&run)?,
             LogRecord::Step(step) => self.log.write_step(&step)?,
             LogRecord::EpisodeEnd(episode) => self.log.write_episode(&episode)?,
             LogRecord::Entry(entry) => self.log.write_event(&entry)?,

@@ -10,13 +10,17 @@ use tokio::time::{Instant, interval_at, sleep_until, timeout};
 
 use super::frames::{Channel, Frame, Frames};
 use super::subscription::Subscription;
-use crate::session::{Feed, Missed, PathPresent, Present, Scenery, TablePresent, Viewer, text};
+use crate::session::{
+    DrivePresent, Feed, Missed, PathPresent, Present, Scenery, TablePresent, Viewer, text,
+};
 use crate::wire::{ArenaRequest, ServerMessage};
 
 /// A client that takes longer to accept one message is let go.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Time between two pings.
 const PING_EVERY: Duration = Duration::from_secs(20);
+/// Cycles in one message.
+const MOST_CYCLES: usize = 50;
 
 /// Why a connection ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -63,6 +67,7 @@ struct Connection {
     neurons: Schedule,
     step: Schedule,
     table: Schedule,
+    cycles: Schedule,
     arena: Option<Arena>,
     _viewer: Viewer,
 }
@@ -104,6 +109,7 @@ impl Connection {
             neurons: Schedule::new(),
             step: Schedule::new(),
             table: Schedule::new(),
+            cycles: Schedule::new(),
             arena: None,
         }
     }
@@ -208,9 +214,11 @@ impl Connection {
             (&self.neurons, wishes.neurons),
         ];
         let of_table = [(&self.step, wishes.step), (&self.table, wishes.table)];
+        let of_drive = [(&self.cycles, wishes.cycles)];
         let samples = match &snapshot.present {
             Present::Path(_) => &of_path[..],
             Present::Table(_) => &of_table[..],
+            Present::Drive(_) => &of_drive[..],
         };
         let samples = samples.iter().filter(|(schedule, rate_hz)| schedule.wants(tick, *rate_hz));
         let samples = samples.map(|(schedule, _)| schedule.due);
@@ -227,6 +235,9 @@ impl Connection {
             (Present::Path(path), Some(tick)) => self.path_samples((seq, tick), path, &wishes, now),
             (Present::Table(table), Some(tick)) => {
                 self.table_samples((seq, tick), table, &wishes, now)
+            }
+            (Present::Drive(drive), Some(tick)) => {
+                self.drive_samples((seq, tick), drive, &wishes, now)
             }
         };
         for message in &messages {
@@ -281,6 +292,25 @@ impl Connection {
             messages.push(ServerMessage::Table { seq, tick: number, table: table.clone() });
         }
         messages
+    }
+
+    fn drive_samples(
+        &mut self,
+        (seq, number): (u64, u64),
+        present: &DrivePresent,
+        wishes: &Subscription,
+        now: Instant,
+    ) -> Vec<ServerMessage> {
+        let sent = self.cycles.sent.unwrap_or(0);
+        if !self.cycles.take(number, wishes.cycles, now) {
+            return Vec::new();
+        }
+        let newest = present.cycles.len().saturating_sub(MOST_CYCLES);
+        // After a reset, ticks begin anew.
+        let fresh = |tick: u64| tick > sent || number < sent;
+        let cycles = present.cycles.iter().skip(newest).filter(|cycle| fresh(cycle.tick));
+        let cycles = cycles.map(|cycle| (**cycle).clone()).collect();
+        vec![ServerMessage::Cycles { seq, cycles }]
     }
 
     async fn say(&mut self, message: &ServerMessage) -> Result<(), Goodbye> {

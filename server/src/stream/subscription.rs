@@ -11,8 +11,15 @@ use crate::wire::{ArenaRequest, ClientMessage};
 pub const LARGEST_MESSAGE: usize = 64 << 10;
 
 /// Rates a client gets before it asks.
-const DEFAULT: Subscription =
-    Subscription { tick: 10.0, depths: 10.0, neurons: 2.0, step: 10.0, table: 5.0, arena: None };
+const DEFAULT: Subscription = Subscription {
+    tick: 10.0,
+    depths: 10.0,
+    neurons: 2.0,
+    step: 10.0,
+    table: 5.0,
+    cycles: 10.0,
+    arena: None,
+};
 
 /// Samples and pictures a second.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +34,8 @@ pub struct Subscription {
     pub step: f64,
     /// Most `table` messages a second.
     pub table: f64,
+    /// Most `cycles` messages a second.
+    pub cycles: f64,
     /// Arena pictures.
     pub arena: Option<ArenaRequest>,
 }
@@ -44,13 +53,15 @@ impl Subscription {
     /// When the message cannot be read or asks for what there is not; nothing changes then. The field
     /// is empty when the message as a whole is at fault.
     pub fn apply(&mut self, text: &str) -> Result<(), FieldError> {
-        let ClientMessage::Subscribe { tick, depths, neurons, step, table, arena } = read(text)?;
+        let ClientMessage::Subscribe { tick, depths, neurons, step, table, cycles, arena } =
+            read(text)?;
         let asked = Self {
             tick: rate("tick", tick.unwrap_or(self.tick), 0.0..=60.0)?,
             depths: rate("depths", depths.unwrap_or(self.depths), 0.0..=60.0)?,
             neurons: rate("neurons", neurons.unwrap_or(self.neurons), 0.0..=30.0)?,
             step: rate("step", step.unwrap_or(self.step), 0.0..=60.0)?,
             table: rate("table", table.unwrap_or(self.table), 0.0..=30.0)?,
+            cycles: rate("cycles", cycles.unwrap_or(self.cycles), 0.0..=60.0)?,
             arena: arena.map(picture).transpose()?.or_else(|| self.arena.clone()),
         };
         *self = asked;

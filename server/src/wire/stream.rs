@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 use super::{
-    CourseView, CycleView, DriveRunView, DriveScores, EpisodeView, NeuronView, ScoresView, Session, StepView, TableView, TaskView, TickView, Trial,
-    Yardstick,
+    CourseView, CycleView, DriveRunView, DriveScores, EpisodeView, NeuronView, ScoresView, Session,
+    StepView, TableView, TaskView, TickView, Trial, Yardstick,
 };
 
 /// Version of the stream, in `hello`.

@@ -36,6 +36,7 @@ crate::settings! {
         layout: BlockLayout = BlockLayout::Sparse, "world.blocks" "", Gap, "figure 2.10, lost", "Which blocks there are";
         start: BlockStart = BlockStart::Shown, "start.place" "", Simulation, "figure 2.10, lost", "Where a run starts";
         limit_s: f64 = 300.0, "trial.time_limit" [10.0, 100_000.0] "s", Simulation, "reading", "Length of a run";
+        compare: bool = false, "compare" "", Simulation, "section 2.9, Experiments I and II", "Each run is driven twice, by the minimum and by the median and Algorithm 1, from the same random numbers";
         method: Method = Method::Minimum, "fusion.method" "", Literal, "section 2.9", "How a region's depth is made";
         rank: MedianRank = MedianRank::Lower, "fusion.median" "", Reading, "Eq. (2.2)", "Which of an even number of readings is the median";
         window: u32 = 3, "fusion.window" [1.0, 20.0] "", Literal, "section 2.4; Algorithm 1, n", "Length of the window: n + 1 readings, z(t-n) to z(t)";

@@ -16,6 +16,7 @@ use crate::world::{Arena, Passage, Ring, Surface};
 crate::settings! {
     /// Settings of the experiment `corridor`.
     pub struct CorridorSettings {
+        compare: bool = false, "compare" "", Simulation, "section 2.9, Experiments I and II", "Each run is driven twice, by the minimum and by the median and Algorithm 1, from the same random numbers";
         method: Method = Method::MedianKalman, "fusion.method" "", Literal, "sections 2.4 and 2.9", "How a region's depth is made; `minimum` is Experiment I, `median-kalman` Experiment II";
         rank: MedianRank = MedianRank::Lower, "fusion.median" "", Reading, "Eq. (2.2)", "Which of an even number of readings is the median";
         window: u32 = 3, "fusion.window" [1.0, 20.0] "", Literal, "section 2.4; Algorithm 1, n", "Length of the window: n + 1 readings, z(t-n) to z(t)";

@@ -251,6 +251,12 @@ impl NavigationRun {
         &self.setup.doors
     }
 
+    /// x at which a run is done, metres; none where it has no end.
+    #[must_use]
+    pub fn finish_m(&self) -> Option<f64> {
+        self.setup.finish_m
+    }
+
     /// The rules.
     #[must_use]
     pub fn rules(&self) -> &RuleBase {

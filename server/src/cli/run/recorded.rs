@@ -5,13 +5,15 @@ use std::path::Path;
 use indicatif::ProgressBar;
 
 use super::super::{Failure, cores};
-use crate::batch::{result, table_result};
-use crate::catalog::{Catalog, Plan, TablePlan, Trained};
+use crate::batch::{drive_result, result, table_result};
+use crate::catalog::{Catalog, PlainPlan, Plan, Trained};
 use crate::render::{Backend, Renderer};
 use crate::report;
 use crate::session::{Control, Feed, Lab, Reporter};
 use crate::store::Store;
-use crate::wire::{NamedSpeed, NewSession, RunResult, Session, Speed, State, TableResult};
+use crate::wire::{
+    DriveResult, NamedSpeed, NewSession, RunResult, Session, Speed, State, TableResult,
+};
 
 /// Runs sessions as the server does, as fast as it goes, and hands over the results in order.
 pub(super) fn run(
@@ -55,15 +57,61 @@ pub(super) fn run(
 pub(super) fn run_tables(
     catalog: Catalog,
     requests: &[NewSession],
-    plans: &[TablePlan],
+    plans: &[PlainPlan],
     folder: &Path,
     progress: &ProgressBar,
     mut take: impl FnMut(TableResult) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
+    each_session(catalog, requests, folder, progress, |index, reporter, id| {
+        let Some(report) = reporter.table(id)? else { return Ok(()) };
+        let folder = reporter.lab.store().session_folder(id);
+        for (name, text) in [
+            ("report.html", report::table_html(&report)),
+            ("report.json", report::table_json(&report)),
+            ("episodes.csv", report::table_csv(&report)),
+        ] {
+            std::fs::write(folder.join(name), text)?;
+        }
+        take(table_result(&plans[index], report.episodes, report.scores))
+    })
+}
+
+/// The same for experiments of chapter 2.
+pub(super) fn run_drives(
+    catalog: Catalog,
+    requests: &[NewSession],
+    plans: &[PlainPlan],
+    folder: &Path,
+    progress: &ProgressBar,
+    mut take: impl FnMut(DriveResult) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    each_session(catalog, requests, folder, progress, |index, reporter, id| {
+        let Some(report) = reporter.drive(id)? else { return Ok(()) };
+        let folder = reporter.lab.store().session_folder(id);
+        for (name, text) in [
+            ("report.html", report::drive_html(&report)),
+            ("report.json", report::drive_json(&report)),
+            ("runs.csv", report::drive_csv(&report)),
+        ] {
+            std::fs::write(folder.join(name), text)?;
+        }
+        take(drive_result(&plans[index], report.runs, report.scores))
+    })
+}
+
+/// Runs sessions that draw nothing, and hands each over by its number when it is done.
+fn each_session(
+    catalog: Catalog,
+    requests: &[NewSession],
+    folder: &Path,
+    progress: &ProgressBar,
+    mut done: impl FnMut(usize, Reporter<'_>, &str) -> Result<(), Failure>,
+) -> Result<(), Failure> {
     let lab = Lab::new(catalog, Store::open(folder)?, cores());
     let renderer = Renderer::start(Backend::Cpu);
     let runtime = tokio::runtime::Runtime::new()?;
-    for (requests, plans) in requests.chunks(4 * cores()).zip(plans.chunks(4 * cores())) {
+    let mut index = 0;
+    for requests in requests.chunks(4 * cores()) {
         let sessions = requests.iter().map(|request| create(&lab, request));
         let sessions: Vec<Session> = sessions.collect::<Result<_, Failure>>()?;
         let feeds = sessions.iter().map(|session| lab.feed(&session.id));
@@ -71,19 +119,10 @@ pub(super) fn run_tables(
         for session in &sessions {
             runtime.block_on(lab.control(&session.id, Control::Start))?;
         }
-        for ((session, feed), plan) in sessions.iter().zip(feeds).zip(plans) {
+        for (session, feed) in sessions.iter().zip(feeds) {
             runtime.block_on(finished(&feed, progress))?;
-            let reporter = Reporter { lab: &lab, renderer: &renderer };
-            let Some(report) = reporter.table(&session.id)? else { continue };
-            let folder = lab.store().session_folder(&session.id);
-            for (name, text) in [
-                ("report.html", report::table_html(&report)),
-                ("report.json", report::table_json(&report)),
-                ("episodes.csv", report::table_csv(&report)),
-            ] {
-                std::fs::write(folder.join(name), text)?;
-            }
-            take(table_result(plan, report.episodes, report.scores))?;
+            done(index, Reporter { lab: &lab, renderer: &renderer }, &session.id)?;
+            index += 1;
         }
     }
     Ok(())

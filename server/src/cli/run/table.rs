@@ -7,7 +7,7 @@ use indicatif::ProgressBar;
 use super::super::{Failure, cores, output};
 use super::{Arguments, recorded};
 use crate::batch;
-use crate::catalog::{Catalog, FieldError, Job, NamedTask, TablePlan};
+use crate::catalog::{Catalog, FieldError, Job, NamedTask, PlainPlan};
 use crate::session::TableRun;
 use crate::wire::{EpisodeView, NewSession, OutcomeOfEpisode, ScoreView, TableResult};
 
@@ -22,10 +22,10 @@ pub(super) fn run(
         give_task(&mut catalog, &mut requests, file)?;
     }
     let plans = requests.iter().map(|request| match catalog.job(request)? {
-        Job::Table(plan) => Ok(*plan),
+        Job::Plain(plan) => Ok(*plan),
         Job::Path(_) => Err(FieldError::new("experiment", "must be a tabular one")),
     });
-    let plans: Vec<TablePlan> = plans.collect::<Result<_, FieldError>>()?;
+    let plans: Vec<PlainPlan> = plans.collect::<Result<_, FieldError>>()?;
     // The same settings fit or do not fit for every seed.
     let rounds = plans.first().map(TableRun::new).transpose()?.map_or(0, |run| run.rounds());
     let progress = output::progress(u64::from(rounds) * plans.len() as u64, "episodes");
@@ -38,7 +38,7 @@ pub(super) fn run(
     Ok(())
 }
 
-fn refuse_what_robots_have(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn refuse_what_robots_have(arguments: &Arguments) -> Result<(), Failure> {
     arguments.placing.refuse_without_world()?;
     let refused = [
         ("--network", arguments.network.is_some()),
@@ -47,7 +47,7 @@ fn refuse_what_robots_have(arguments: &Arguments) -> Result<(), Failure> {
     ];
     match refused.iter().find(|(_, given)| *given) {
         Some((option, _)) => Err(Failure::Input(format!(
-            "{option}: `{}` has no robot and no networks; leave it out",
+            "{option}: `{}` has no networks to learn with; leave it out",
             arguments.experiment
         ))),
         None => Ok(()),
@@ -73,11 +73,11 @@ fn give_task(
 }
 
 fn run_all(
-    plans: &[TablePlan],
+    plans: &[PlainPlan],
     progress: &ProgressBar,
     mut take: impl FnMut(TableResult) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let work = |plan: &TablePlan| batch::table(plan, || progress.inc(1));
+    let work = |plan: &PlainPlan| batch::table(plan, || progress.inc(1));
     batch::in_order(plans, cores(), work, |done| take(done?))
 }
 

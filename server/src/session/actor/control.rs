@@ -27,6 +27,7 @@ impl Actor {
                 let round = match self.session.family {
                     Family::Path => "trial",
                     Family::Table => "episode",
+                    Family::Drive => "run",
                 };
                 self.say("operator", &format!("Stepped to the end of the {round}"));
                 self.ask_to_run(Until::TrialEnd)
@@ -108,6 +109,7 @@ impl Actor {
         let text = match self.session.family {
             Family::Path => format!("Goes on from the checkpoint after trial {rounds_done}"),
             Family::Table => format!("Goes on from the checkpoint at tick {tick}"),
+            Family::Drive => format!("Goes on from the checkpoint after run {rounds_done}"),
         };
         if tick > 0 {
             self.say("session", &text);

@@ -3,7 +3,9 @@
 use std::time::{Duration, Instant};
 
 use super::{Actor, ControlError, Until};
-use crate::wire::{EpisodeView, OutcomeOfEpisode, Round, Session, State, Trial};
+use crate::wire::{
+    DriveOutcome, DriveRunView, EpisodeView, OutcomeOfEpisode, Round, Session, State, Trial,
+};
 
 /// Least time between two checkpoints within a round.
 const CHECKPOINT_EVERY: Duration = Duration::from_millis(500);
@@ -66,6 +68,31 @@ fn round_text(round: &Round) -> String {
     match round {
         Round::Trial(trial) => trial_text(trial),
         Round::Episode(episode) => episode_text(episode),
+        Round::Run(run) => run_text(run),
+    }
+}
+
+fn run_text(run: &DriveRunView) -> String {
+    let DriveRunView { run: number, method, cycles, .. } = run;
+    match &run.outcome {
+        DriveOutcome::Approach { .. } => {
+            format!("Run {number} ended at the wall after {cycles} cycles")
+        }
+        DriveOutcome::Drive(score) => {
+            let end = match (score.done, score.blind) {
+                (true, _) => "reached the end".to_owned(),
+                (false, Some(region)) => format!("stopped: no sonar of region {region} answers"),
+                (false, None) => format!("ended {:.1} m on", score.progress_m),
+            };
+            let contacts = score.wall_contacts
+                + score.door_contacts
+                + score.block_contacts
+                + score.people_contacts;
+            format!(
+                "Run {number}, {method}: {end} after {:.0} s, contacts {contacts}",
+                score.time_s
+            )
+        }
     }
 }
 
@@ -113,6 +140,11 @@ impl Session {
                     });
                     self.best = Some(best);
                 }
+            }
+            Round::Run(run) => {
+                self.trials_done = run.round;
+                self.reached +=
+                    u32::from(matches!(&run.outcome, DriveOutcome::Drive(of) if of.done));
             }
             Round::Episode(episode) => {
                 if let OutcomeOfEpisode::Walk { trials, capped, .. } = &episode.outcome {

@@ -1,16 +1,21 @@
-//! Tabular experiments: learners that compete in a world of states, strategies at levers, and the plots
-//! of figure 3.3.
+//! Plain experiments: those that are wholly given by their settings. The tabular ones, learners that compete
+//! in a world of states, strategies at levers and the plots of figure 3.3; and those of chapter 2, a robot
+//! driven by rules.
 
 mod settings;
 mod tasks;
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
+use rust_embed::Embed;
 use serde::Deserialize;
 use serde_json::Value as Json;
+use sonarium_core::fuzzy::RuleBase;
+use sonarium_core::robot::Robot;
 use sonarium_core::settings::{SettingError, Standing};
 
-pub use settings::{TableSettings, Texts};
+pub use settings::{PlainSettings, Texts};
 pub use tasks::NamedTask;
 pub(super) use tasks::Tasks;
 
@@ -19,33 +24,55 @@ use super::{Catalog, FieldError, MAX_TRIALS, experiments, plan, values};
 use crate::store::SessionRow;
 use crate::wire::{ExperimentInfo, Family, NewSession, SettingInfo, Speed};
 
-/// Names of all tabular experiments, in the order they are shown.
-pub(super) const NAMES: [&str; 5] = ["labyrinth", "continual", "gridworld", "bandit", "horizon"];
+/// Names of all plain experiments, in the order they are shown.
+pub(super) const NAMES: [&str; 8] = [
+    "wall-approach",
+    "block-world",
+    "corridor",
+    "labyrinth",
+    "continual",
+    "gridworld",
+    "bandit",
+    "horizon",
+];
 
-/// A tabular experiment that can be run.
+/// A plain experiment that can be run.
 #[derive(Clone, Debug)]
-pub(super) struct TableExperiment {
+pub(super) struct PlainExperiment {
     pub(super) name: String,
-    defaults: TableSettings,
+    equipment: Option<Equipment>,
+    defaults: PlainSettings,
     presets: Vec<Preset>,
-    file: TableExperimentFile,
+    file: PlainFile,
 }
 
 /// What its file says.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct TableExperimentFile {
+struct PlainFile {
     title: String,
     summary: String,
     source: String,
     /// World unless told otherwise, where there is a choice.
     #[serde(default)]
     world: Option<String>,
+    /// The robot that is driven, in chapter 2.
+    #[serde(default)]
+    robot: Option<String>,
 }
 
-/// Everything a tabular run needs, checked.
+/// What drives, and by what, in chapter 2.
 #[derive(Clone, Debug)]
-pub struct TablePlan {
+pub struct Equipment {
+    /// The robot.
+    pub robot: Arc<Robot>,
+    /// The rules.
+    pub rules: Arc<RuleBase>,
+}
+
+/// Everything a plain run needs, checked.
+#[derive(Clone, Debug)]
+pub struct PlainPlan {
     /// Name of the experiment.
     pub experiment: String,
     /// Title for people.
@@ -54,8 +81,10 @@ pub struct TablePlan {
     pub preset: String,
     /// Its world, where there is a choice.
     pub task: Option<NamedTask>,
+    /// The robot and the rules of chapter 2.
+    pub equipment: Option<Equipment>,
     /// The settings.
-    pub settings: TableSettings,
+    pub settings: PlainSettings,
     /// Advice, matrix and table.
     pub texts: Texts,
     /// Every setting by key.
@@ -64,13 +93,13 @@ pub struct TablePlan {
     pub changed: Vec<String>,
     /// Seed.
     pub seed: u64,
-    /// Trials of an episode.
+    /// Trials of an episode; in chapter 2, runs of each method.
     pub trials: u32,
     /// Pace.
     pub speed: Speed,
 }
 
-impl TablePlan {
+impl PlainPlan {
     /// Name of the world: that of the experiment where there is no choice.
     #[must_use]
     pub fn world_name(&self) -> &str {
@@ -78,18 +107,19 @@ impl TablePlan {
     }
 }
 
-impl TableExperiment {
-    /// Reads and checks the file of a tabular experiment and its presets.
+impl PlainExperiment {
+    /// Reads and checks the file of a plain experiment and its presets.
     pub(super) fn read(
         name: &str,
         text: &str,
         presets: Vec<Preset>,
         tasks: &Tasks,
+        robots: &BTreeMap<String, Arc<Robot>>,
     ) -> Result<Self, String> {
-        let file: TableExperimentFile = toml::from_str(text).map_err(|error| error.to_string())?;
-        let defaults = TableSettings::of(name).ok_or_else(|| {
+        let file: PlainFile = toml::from_str(text).map_err(|error| error.to_string())?;
+        let defaults = PlainSettings::of(name).ok_or_else(|| {
             let known = plan::listed(&NAMES);
-            format!("an experiment without a robot must be one of {known}")
+            format!("an experiment of its own settings must be one of {known}")
         })?;
         if presets.is_empty() {
             return Err(format!("there is no preset in presets/{name}"));
@@ -104,7 +134,11 @@ impl TableExperiment {
                     .map_err(|error| format!("preset `{}`: {error}", preset.name))?;
             }
         }
-        Ok(Self { name: name.to_owned(), defaults, presets, file })
+        let equipment = file.robot.as_deref().map(|robot| equipment(robot, robots)).transpose()?;
+        if equipment.is_none() && defaults.family() == Family::Drive {
+            return Err("`robot` must name the robot that is driven".into());
+        }
+        Ok(Self { name: name.to_owned(), equipment, defaults, presets, file })
     }
 
     /// The experiment as a user sees it.
@@ -130,8 +164,8 @@ impl TableExperiment {
             title: self.file.title.clone(),
             summary: self.file.summary.clone(),
             source: self.file.source.clone(),
-            family: Family::Table,
-            robot: None,
+            family: self.defaults.family(),
+            robot: self.equipment.as_ref().map(|of| experiments::robot_info(&of.robot)),
             default_trials: self.defaults.trials(),
             max_trials: MAX_TRIALS,
             presets: self.presets.iter().map(Preset::info).collect(),
@@ -139,6 +173,11 @@ impl TableExperiment {
             starts: Vec::new(),
             settings: numbers.chain(texts).collect(),
         }
+    }
+
+    /// The rules that drive its robot, if any do.
+    pub(super) fn rules(&self) -> Option<Arc<RuleBase>> {
+        self.equipment.as_ref().map(|equipment| Arc::clone(&equipment.rules))
     }
 
     fn preset(&self, name: &str) -> Result<&BTreeMap<String, Json>, FieldError> {
@@ -149,7 +188,7 @@ impl TableExperiment {
         &self,
         task: Option<NamedTask>,
         request: &NewSession,
-    ) -> Result<TablePlan, FieldError> {
+    ) -> Result<PlainPlan, FieldError> {
         let preset = plan::name_in(&request.settings, "preset")?.unwrap_or(presets::DEFAULT);
         let (mut settings, mut texts) = (self.defaults.clone(), Texts::default());
         for (key, value) in self.preset(preset)?.iter().chain(&request.settings) {
@@ -157,9 +196,11 @@ impl TableExperiment {
                 assign(&mut settings, &mut texts, key, value)?;
             }
         }
-        if let Some(trials) = request.trials {
-            self.set_trials(&mut settings, trials)?;
-        }
+        let trials = match (request.trials, self.defaults.family()) {
+            (Some(runs), Family::Drive) => plan::trials(runs)?,
+            (Some(trials), _) => self.set_trials(&mut settings, trials)?,
+            (None, _) => settings.trials(),
+        };
         if request.network.is_some() {
             let message = format!("`{}` has no networks to begin with", self.name);
             return Err(FieldError::new("network", message));
@@ -175,12 +216,13 @@ impl TableExperiment {
                 changed.insert(0, "world".into());
             }
         }
-        Ok(TablePlan {
+        Ok(PlainPlan {
             experiment: self.name.clone(),
             title: self.file.title.clone(),
             preset: preset.to_owned(),
             task,
-            trials: settings.trials(),
+            trials,
+            equipment: self.equipment.clone(),
             settings,
             texts,
             values,
@@ -190,18 +232,19 @@ impl TableExperiment {
         })
     }
 
-    fn set_trials(&self, settings: &mut TableSettings, trials: u32) -> Result<(), FieldError> {
+    fn set_trials(&self, settings: &mut PlainSettings, trials: u32) -> Result<u32, FieldError> {
         let Some(key) = settings.trials_key() else {
             let message = format!("`{}` has no trials; leave it out, or give 1", self.name);
-            return if trials == 1 { Ok(()) } else { Err(FieldError::new("trials", message)) };
+            return if trials == 1 { Ok(1) } else { Err(FieldError::new("trials", message)) };
         };
         let set = settings.set(key, &sonarium_core::settings::Value::Integer(trials.into()));
-        set.map_err(|error| FieldError::new("trials", error.to_string()))
+        set.map_err(|error| FieldError::new("trials", error.to_string()))?;
+        Ok(trials)
     }
 
     fn differences(
         &self,
-        settings: &TableSettings,
+        settings: &PlainSettings,
         texts: &Texts,
     ) -> (BTreeMap<String, Json>, Vec<String>) {
         let (mut values, mut changed) = (BTreeMap::new(), Vec::new());
@@ -222,8 +265,26 @@ impl TableExperiment {
     }
 }
 
+#[derive(Embed)]
+#[folder = "$CARGO_MANIFEST_DIR/../assets/rules"]
+struct Rules;
+
+/// The rule base in the program that drives the robot of chapter 2.
+const NAVIGATOR: &str = "navigator.rules";
+
+fn equipment(robot: &str, robots: &BTreeMap<String, Arc<Robot>>) -> Result<Equipment, String> {
+    let found = robots.get(robot).cloned().ok_or_else(|| {
+        let names: Vec<&str> = robots.keys().map(String::as_str).collect();
+        format!("`robot`: there is no `{robot}`; there are {}", plan::listed(&names))
+    })?;
+    let file = Rules::get(NAVIGATOR).ok_or_else(|| format!("rules/{NAVIGATOR} is missing"))?;
+    let rules = RuleBase::parse(&String::from_utf8_lossy(&file.data))
+        .map_err(|error| format!("rules/{NAVIGATOR}: {error}"))?;
+    Ok(Equipment { robot: found, rules: Arc::new(rules) })
+}
+
 fn assign(
-    settings: &mut TableSettings,
+    settings: &mut PlainSettings,
     texts: &mut Texts,
     key: &str,
     json: &Json,
@@ -246,12 +307,12 @@ fn assign(
 }
 
 impl Catalog {
-    /// Fills the request of a tabular experiment up; none when it is of another kind.
-    pub(super) fn resolve_table(
+    /// Fills the request of a plain experiment up; none when it is of another kind.
+    pub(super) fn resolve_plain(
         &self,
         request: &NewSession,
-    ) -> Option<Result<TablePlan, FieldError>> {
-        let experiment = self.tables.iter().find(|table| table.name == request.experiment)?;
+    ) -> Option<Result<PlainPlan, FieldError>> {
+        let experiment = self.plain.iter().find(|table| table.name == request.experiment)?;
         let task = || {
             let asked = plan::name_in(&request.settings, "world")?;
             match (&experiment.file.world, asked) {
@@ -267,16 +328,17 @@ impl Catalog {
         Some(task().and_then(|task| experiment.resolve(task, request)))
     }
 
-    /// The plan of a stored tabular session, in the world as it was.
-    pub(super) fn restore_table(&self, row: &SessionRow) -> Option<Result<TablePlan, FieldError>> {
-        let experiment = self.tables.iter().find(|table| table.name == row.experiment)?;
+    /// The plan of a stored session of a plain experiment, in the world as it was.
+    pub(super) fn restore_plain(&self, row: &SessionRow) -> Option<Result<PlainPlan, FieldError>> {
+        let experiment = self.plain.iter().find(|table| table.name == row.experiment)?;
         let stored = !row.world_text.is_empty();
         let task = stored.then(|| NamedTask::read(&row.world_text)).transpose();
         let request = NewSession {
             experiment: row.experiment.clone(),
             seed: Some(row.seed),
             settings: row.settings.clone(),
-            trials: None,
+            // Trials of an episode are among the settings; runs are not.
+            trials: (row.family == Family::Drive).then_some(row.trials_each),
             speed: Some(row.speed),
             network: None,
         };

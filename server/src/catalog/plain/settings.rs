@@ -1,13 +1,14 @@
-//! The settings of every tabular experiment, by key: numbers and names of the core, and texts.
+//! The settings of every plain experiment, by key: numbers and names of the core, and texts.
 
 use serde_json::Value as Json;
 use sonarium_core::experiment::{
-    BanditSettings, ContinualSettings, GridworldSettings, HorizonSettings, LabyrinthExtras,
-    LabyrinthSettings,
+    BanditSettings, BlockWorldSettings, ContinualSettings, CorridorSettings, GridworldSettings,
+    HorizonSettings, LabyrinthExtras, LabyrinthSettings, WallApproachSettings,
 };
 use sonarium_core::settings::{SettingError, Spec, Value};
 
 use super::super::FieldError;
+use crate::wire::Family;
 
 /// Advice in words, one rule a line.
 const ADVICE: &str = "advice";
@@ -46,7 +47,7 @@ const LABYRINTH_TEXTS: [TextSpec; 3] = [
 
 /// The settings of one of the experiments.
 #[derive(Clone, Debug, PartialEq)]
-pub enum TableSettings {
+pub enum PlainSettings {
     /// Chapter 4.
     Labyrinth(LabyrinthSettings),
     /// Section 4.10.
@@ -57,23 +58,32 @@ pub enum TableSettings {
     Bandit(BanditSettings),
     /// Figure 3.3.
     Horizon(HorizonSettings),
+    /// Section 2.5.
+    WallApproach(WallApproachSettings),
+    /// Figure 2.10.
+    BlockWorld(BlockWorldSettings),
+    /// Section 2.9.
+    Corridor(CorridorSettings),
 }
 
 /// Does the same with whichever settings there are.
 macro_rules! each {
     ($settings:expr, $bound:ident => $body:expr) => {
         match $settings {
-            TableSettings::Labyrinth($bound) => $body,
-            TableSettings::Continual($bound) => $body,
-            TableSettings::Gridworld($bound) => $body,
-            TableSettings::Bandit($bound) => $body,
-            TableSettings::Horizon($bound) => $body,
+            PlainSettings::Labyrinth($bound) => $body,
+            PlainSettings::Continual($bound) => $body,
+            PlainSettings::Gridworld($bound) => $body,
+            PlainSettings::Bandit($bound) => $body,
+            PlainSettings::Horizon($bound) => $body,
+            PlainSettings::WallApproach($bound) => $body,
+            PlainSettings::BlockWorld($bound) => $body,
+            PlainSettings::Corridor($bound) => $body,
         }
     };
 }
 
-impl TableSettings {
-    /// The defaults of an experiment; none when there is no tabular experiment of that name.
+impl PlainSettings {
+    /// The defaults of an experiment; none when there is no plain experiment of that name.
     pub(super) fn of(experiment: &str) -> Option<Self> {
         Some(match experiment {
             "labyrinth" => Self::Labyrinth(LabyrinthSettings::default()),
@@ -81,6 +91,9 @@ impl TableSettings {
             "gridworld" => Self::Gridworld(GridworldSettings::default()),
             "bandit" => Self::Bandit(BanditSettings::default()),
             "horizon" => Self::Horizon(HorizonSettings::default()),
+            "wall-approach" => Self::WallApproach(WallApproachSettings::default()),
+            "block-world" => Self::BlockWorld(BlockWorldSettings::default()),
+            "corridor" => Self::Corridor(CorridorSettings::default()),
             _ => return None,
         })
     }
@@ -92,6 +105,9 @@ impl TableSettings {
             Self::Gridworld(_) => GridworldSettings::specs(),
             Self::Bandit(_) => BanditSettings::specs(),
             Self::Horizon(_) => HorizonSettings::specs(),
+            Self::WallApproach(_) => WallApproachSettings::specs(),
+            Self::BlockWorld(_) => BlockWorldSettings::specs(),
+            Self::Corridor(_) => CorridorSettings::specs(),
         }
     }
 
@@ -99,7 +115,7 @@ impl TableSettings {
         match self {
             Self::Labyrinth(_) => &LABYRINTH_TEXTS,
             Self::Gridworld(_) => &LABYRINTH_TEXTS[..1],
-            Self::Continual(_) | Self::Bandit(_) | Self::Horizon(_) => &[],
+            _ => &[],
         }
     }
 
@@ -116,18 +132,29 @@ impl TableSettings {
         match self {
             Self::Labyrinth(_) | Self::Continual(_) | Self::Gridworld(_) => Some("trials"),
             Self::Bandit(_) => Some("pulls"),
-            Self::Horizon(_) => None,
+            Self::Horizon(_) | Self::WallApproach(_) | Self::BlockWorld(_) | Self::Corridor(_) => {
+                None
+            }
         }
     }
 
-    /// Trials of an episode.
+    /// Which kind of experiment it is.
+    #[must_use]
+    pub fn family(&self) -> Family {
+        match self {
+            Self::WallApproach(_) | Self::BlockWorld(_) | Self::Corridor(_) => Family::Drive,
+            _ => Family::Table,
+        }
+    }
+
+    /// Trials of an episode; runs are not among the settings.
     pub(super) fn trials(&self) -> u32 {
         match self {
             Self::Labyrinth(settings) => settings.trials,
             Self::Continual(settings) => settings.trials,
             Self::Gridworld(settings) => settings.trials,
             Self::Bandit(settings) => settings.pulls,
-            Self::Horizon(_) => 1,
+            Self::Horizon(_) | Self::WallApproach(_) | Self::BlockWorld(_) | Self::Corridor(_) => 1,
         }
     }
 
@@ -139,7 +166,7 @@ impl TableSettings {
             Self::Continual(settings) => settings.episodes,
             Self::Gridworld(settings) => settings.episodes,
             Self::Bandit(settings) => settings.episodes,
-            Self::Horizon(_) => 1,
+            Self::Horizon(_) | Self::WallApproach(_) | Self::BlockWorld(_) | Self::Corridor(_) => 1,
         }
     }
 }
@@ -230,13 +257,13 @@ mod tests {
     }
 
     #[test]
-    fn every_tabular_experiment_has_its_settings() {
-        for name in ["labyrinth", "continual", "gridworld", "bandit", "horizon"] {
-            let settings = TableSettings::of(name).expect("a tabular experiment");
+    fn every_plain_experiment_has_its_settings() {
+        for name in super::super::NAMES {
+            let settings = PlainSettings::of(name).expect("a plain experiment");
             for spec in settings.specs() {
                 assert!(settings.get(spec.key).is_some(), "{name}: {}", spec.key);
             }
         }
-        assert_eq!(TableSettings::of("minimum-cost-path"), None);
+        assert_eq!(PlainSettings::of("minimum-cost-path"), None);
     }
 }
