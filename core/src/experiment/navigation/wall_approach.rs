@@ -197,7 +197,7 @@ impl ApproachRun {
             row[1..].copy_from_slice(&depth.depths_m);
             self.series.push(row);
         }
-        self.haunted += vehicle.scanner.haunted(cycle.time_s);
+        self.haunted += vehicle.scanner.haunted();
         let over = middle.is_none() || cycle_number >= self.setup.cycles;
         self.end = over.then(|| self.score(cycle_number));
         if over {
