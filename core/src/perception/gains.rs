@@ -104,19 +104,20 @@ fn recursion<S: Simd, const N: usize, const W: usize>(
     estimate: &mut [f64; N],
 ) {
     let whole = N / 4 * 4;
+    let later = || window[1..].iter().zip(&gains[1..]);
     for first in (0..whole).step_by(4) {
-        let four = |reading: usize| f64x4::from_slice(simd, &window[reading][first..first + 4]);
-        let mut mean = four(0);
-        for reading in 1..W {
+        let four = |reading: &[f64; N]| f64x4::from_slice(simd, &reading[first..first + 4]);
+        let mut mean = four(&window[0]);
+        for (reading, &gain) in later() {
             // Algorithm 1: Δμ = G (z(t − n + i) − μ)
-            mean += f64x4::splat(simd, gains[reading]) * (four(reading) - mean);
+            mean += f64x4::splat(simd, gain) * (four(reading) - mean);
         }
         estimate[first..first + 4].copy_from_slice(&<[f64; 4]>::from(mean));
     }
     for lane in whole..N {
         let mut mean = window[0][lane];
-        for reading in 1..W {
-            mean += gains[reading] * (window[reading][lane] - mean);
+        for (reading, gain) in later() {
+            mean += gain * (reading[lane] - mean);
         }
         estimate[lane] = mean;
     }

@@ -68,7 +68,7 @@ pub struct Person {
 
 /// What they have to mind of the robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossing {
+pub struct Obstacle {
     /// Where it is, metres.
     pub place: Vec2,
     /// Unit vector of its heading.
@@ -97,7 +97,7 @@ pub struct People {
     rng: ChaCha8Rng,
 }
 
-impl Crossing {
+impl Obstacle {
     /// The space kept free: how far ahead of the robot, and beside and behind it, metres.
     const KEPT_M: [f64; 2] = [0.45, 0.15];
 
@@ -185,7 +185,7 @@ impl People {
     }
 
     fn check(&self, place: Vec2, pace_m_s: f64) -> Result<(), String> {
-        if !(pace_m_s.abs() <= 3.0) {
+        if !(-3.0..=3.0).contains(&pace_m_s) {
             return Err(format!("the pace must be from -3 to 3 m/s, not {pace_m_s}"));
         }
         let free = (RADIUS_M..=self.length_m - RADIUS_M).contains(&place.x)
@@ -211,13 +211,13 @@ impl People {
     }
 
     /// Lets time pass, seconds.
-    pub fn step(&mut self, dt_s: f64, robot: &Crossing) {
+    pub fn step(&mut self, dt_s: f64, robot: &Obstacle) {
         for person in 0..self.everybody.len() {
             self.everybody[person] = self.moved(self.everybody[person], dt_s, robot);
         }
     }
 
-    fn moved(&mut self, mut person: Person, dt_s: f64, robot: &Crossing) -> Person {
+    fn moved(&mut self, mut person: Person, dt_s: f64, robot: &Obstacle) -> Person {
         self.pause(&mut person, dt_s, robot);
         // Far away the robot changes nothing.
         let robot = Some(robot).filter(|robot| (person.place.x - robot.place.x).abs() < FAR_M);
@@ -250,7 +250,7 @@ impl People {
     }
 
     /// Begins and ends pauses.
-    fn pause(&mut self, person: &mut Person, dt_s: f64, robot: &Crossing) {
+    fn pause(&mut self, person: &mut Person, dt_s: f64, robot: &Obstacle) {
         person.until_pause_s -= dt_s;
         if (person.place - robot.place).norm() < NO_PAUSE_M {
             person.pausing_s = 0.0;
@@ -263,7 +263,7 @@ impl People {
     }
 
     /// Way to the side in a time: to the lane, to the middle of a door, or out of the robot's way.
-    fn sidestep_m(&self, person: &Person, dt_s: f64, robot: Option<&Crossing>) -> f64 {
+    fn sidestep_m(&self, person: &Person, dt_s: f64, robot: Option<&Obstacle>) -> f64 {
         let minded = robot.filter(|robot| robot.is_minded_by(person.place));
         let wanted_m = minded.map_or(person.lane_m, |robot| self.beside_m(robot));
         let door = self.doors.iter().find(|door| (person.place.x - door.x_m).abs() < FUNNEL_M);
@@ -277,14 +277,14 @@ impl People {
     }
 
     /// The middle of the roomier side of the robot.
-    fn beside_m(&self, robot: &Crossing) -> f64 {
+    fn beside_m(&self, robot: &Obstacle) -> f64 {
         let side = if robot.place.y > 0.0 { -1.0 } else { 1.0 };
         f64::midpoint(robot.place.y + side * robot.half.y, side * self.half_width_m)
     }
 
     /// Whether somebody may go from a place to another: not into a frame, not into a door that the
     /// robot is in, and not deeper into the space before the robot.
-    fn may_go(&self, from: Vec2, to: Vec2, robot: Option<&Crossing>) -> bool {
+    fn may_go(&self, from: Vec2, to: Vec2, robot: Option<&Obstacle>) -> bool {
         let stays = to.y.abs() <= self.half_width_m - RADIUS_M
             && (RADIUS_M..=self.length_m - RADIUS_M).contains(&to.x);
         stays
@@ -293,7 +293,7 @@ impl People {
     }
 
     /// Whether a way leads neither deeper into the space before the robot nor into a door it is in.
-    fn leaves_room(&self, from: Vec2, to: Vec2, robot: &Crossing) -> bool {
+    fn leaves_room(&self, from: Vec2, to: Vec2, robot: &Obstacle) -> bool {
         let waits = |door: &Passage| {
             let (now_m, then_m) = ((from.x - door.x_m).abs(), (to.x - door.x_m).abs());
             let robot_in_door = (robot.place.x - door.x_m).abs() < IN_DOOR_M;
@@ -333,8 +333,8 @@ mod tests {
         vec![Passage { x_m: 20.0, half_width_m: 0.9 }]
     }
 
-    fn robot(x: f64, y: f64) -> Crossing {
-        Crossing { place: Vec2::new(x, y), direction: Vec2::x(), half: Vec2::new(0.375, 0.35) }
+    fn robot(x: f64, y: f64) -> Obstacle {
+        Obstacle { place: Vec2::new(x, y), direction: Vec2::x(), half: Vec2::new(0.375, 0.35) }
     }
 
     #[test]

@@ -34,8 +34,8 @@ pub(super) struct Grid {
     /// Way from a set of an input to the next, in cells; as numbers too, to be added up in lanes.
     stride: [usize; MOST_INPUTS],
     steps: [f64; LANES],
-    /// For each set of the first inputs and each cell of the last two, the consequents at its corners:
-    /// two and two along the last input.
+    /// For each set of the first inputs and each cell of the last two: the consequents at the corners near
+    /// along the last input but one, two and two along the last, and how far it is to those beyond.
     cells: Vec<[f64; CELL]>,
 }
 
@@ -156,13 +156,14 @@ impl Grid {
     /// Where the cell begins that the inputs lie in, and how far each is on its way to the next set.
     #[inline(always)]
     fn locate<S: Simd>(&self, simd: S, inputs: &[f64; MOST_INPUTS]) -> (usize, [f64; LANES]) {
-        let mut values = [0.0; LANES];
-        values[..MOST_INPUTS].copy_from_slice(inputs);
+        let [a, b, c, d, e, f] = *inputs;
+        let values = [[a, b, c, d], [e, f, 0.0, 0.0]];
         let mut share = [0.0; LANES];
         let mut cell = f64x4::splat(simd, 0.0);
-        for first in [0, LANES / 2] {
+        for (half, values) in values.into_iter().enumerate() {
+            let first = half * 4;
             let four = |from: &[f64; LANES]| f64x4::from_slice(simd, &from[first..first + 4]);
-            let value = four(&values).max(four(&self.least)).min(four(&self.most));
+            let value = f64x4::simd_from(simd, values).max(four(&self.least)).min(four(&self.most));
             let way = |ramp: usize| (value - four(&self.start[ramp])) * four(&self.slope[ramp]);
             let (near, middle, far) = (way(0), way(1), way(2));
             let second = near.simd_ge(four(&self.passed[0]));
@@ -189,9 +190,9 @@ impl<S: Simd> Cell<'_, S> {
 
     #[inline(always)]
     fn one(&self, at: usize) -> f64x4<S> {
-        let corners = &self.cells[at];
-        let pair = |first: usize| f64x4::from_slice(self.simd, &corners[first..first + 4]);
-        self.between(4, pair(0), pair(CELL / 2))
+        let (near, way) = self.cells[at].split_at(CELL / 2);
+        let near = f64x4::from_slice(self.simd, near);
+        near + f64x4::from_slice(self.simd, way) * f64x4::splat(self.simd, self.share[4])
     }
 
     #[inline(always)]
@@ -233,8 +234,8 @@ fn ramps([least, most]: [f64; 2], corners: &[[f64; 4]]) -> Option<Vec<(f64, f64)
     pairs.collect()
 }
 
-/// The consequents at the corners of a cell: near and far along the last input but one, in each near and
-/// far along the last.
+/// The consequents at the corners of a cell that are near along the last input but one, near and far along
+/// the last, and the ways from these to those that are far.
 fn corners(cell: usize, sets: &[usize; MOST_INPUTS], rules: &[Rule]) -> [f64; CELL] {
     let [.., along, last] = *sets;
     let (cells_along, cells_last) = ((along - 1).max(1), (last - 1).max(1));
@@ -251,6 +252,10 @@ fn corners(cell: usize, sets: &[usize; MOST_INPUTS], rules: &[Rule]) -> [f64; CE
                 *value = *number;
             }
         }
+    }
+    let (near, far) = consequents.split_at_mut(CELL / 2);
+    for (near, far) in near.iter().zip(far) {
+        *far -= near;
     }
     consequents
 }

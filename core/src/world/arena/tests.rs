@@ -47,7 +47,7 @@ fn echoes_come_from_what_is_met_nearly_head_on() {
         let found = Sight { near: &near, rounds: &[], place, axis }.echo_m(&cone(critical_deg));
         match (found, expected) {
             (Some(found), Some(expected)) => {
-                assert!((found - expected).abs() < 1e-9, "{case}: {found}")
+                assert!((found - expected).abs() < 1e-9, "{case}: {found}");
             }
             _ => assert_eq!(found, expected, "{case}"),
         }
