@@ -2,10 +2,9 @@
 //!
 //! Everything here is a state machine: an observation goes in, a decision comes out, with its
 //! explanation. Time and randomness are parameters; there is no clock, no file, no thread.
-//! Data flows one way: [`world`] → [`robot`] → [`fuzzy`] → [`control`] → [`learner`] → [`experiment`];
-//! [`planner`] finds the path that a learner could not better; [`stats`] judges what came out.
-//! Chapters 3 and 4 are [`tabular`] and [`labyrinth`], with experiments of the same form;
-//! [`perception`] estimates what noisy readings say.
+//! Data flows one way: [`world`] → [`robot`] → [`perception`] → [`fuzzy`] → [`control`] → [`learner`] →
+//! [`experiment`]; [`planner`] finds the path that a learner could not better; [`stats`] judges what came
+//! out. Chapters 3 and 4 are [`tabular`] and [`labyrinth`], with experiments of the same form.
 //!
 //! ```
 //! use std::sync::Arc;

@@ -1,11 +1,12 @@
 //! The vector instructions of the processor at hand.
 //!
-//! Inner loops are written lane by lane in plain arrays, each operation rounded as IEEE 754 says. The
-//! compiler makes a version of them for each level of instructions and the program takes the best
+//! Inner loops are written lane by lane in plain arrays or in vectors of four, each operation rounded as
+//! IEEE 754 says. The compiler makes a version of them for each level of instructions and the program takes the best
 //! one there is. It may not reorder or fuse operations, so all versions give the same bits, as the
 //! tests that run them side by side hold it to.
 
-pub(crate) use fearless_simd::{Level, dispatch};
+pub(crate) use fearless_simd::prelude::*;
+pub(crate) use fearless_simd::{Level, dispatch, f64x4};
 
 /// Every level this processor has.
 #[cfg(test)]

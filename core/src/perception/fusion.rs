@@ -198,8 +198,9 @@ mod tests {
     #[test]
     fn a_region_without_a_live_sensor_has_no_depth_and_begins_anew() {
         let mut fusion = fusion();
-        let take =
-            |fusion: &mut Fusion, silent| fusion.take(&[1.0; 3], &silent).expect("distances")[0];
+        let take = |fusion: &mut Fusion, silent: [bool; 3]| {
+            fusion.take(&[1.0; 3], &silent).expect("distances")[0]
+        };
         assert_eq!(take(&mut fusion, [false; 3]).map(|depth| depth.live), Some(3));
         assert_eq!(take(&mut fusion, [false, true, true]).map(|depth| depth.live), Some(1));
         assert_eq!(take(&mut fusion, [true; 3]), None);
@@ -218,7 +219,7 @@ mod tests {
             let mut fusion = Fusion::new(Hashing::even(1, 1, true).expect("one"), rule);
             let mut consistency = Consistency::default();
             for cycle in 0..400 {
-                let readings_m = [normal.sample(&mut rng).max(0.0)];
+                let readings_m = [f64::max(normal.sample(&mut rng), 0.0)];
                 let depth = fusion.take(&readings_m, &[false]).expect("distances")[0].expect("live");
                 // Windows overlap, so only every fourth is independent.
                 if cycle % 4 == 3 {

@@ -4,6 +4,8 @@
 //! Algorithm 1 prints `Δσ² = −Gσ²`; with σ² = ς² at first its mean is exactly that of the window, and its
 //! variance ς² / the number of readings, whatever ς is.
 
+use crate::simd::*;
+
 /// The gains of a scalar filter, reading by reading, and the variances they leave.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gains {
@@ -72,6 +74,52 @@ impl Gains {
             }
         }
         mean
+    }
+
+    /// The same for many windows of one length, as fast as the processor can.
+    ///
+    /// # Panics
+    /// When windows are longer than a full one, or there are not as many estimates as windows.
+    pub fn estimate_each<const N: usize, const W: usize>(
+        &self,
+        windows: &[[[f64; N]; W]],
+        estimates: &mut [[f64; N]],
+    ) {
+        assert_eq!(windows.len(), estimates.len(), "one estimate for each window");
+        let gains: [f64; W] = self.gains[..W].try_into().expect("as many as were asked for");
+        dispatch!(Level::new(), simd => {
+            for (window, estimate) in windows.iter().zip(estimates.iter_mut()) {
+                recursion(simd, &gains, window, estimate);
+            }
+        });
+    }
+}
+
+/// Algorithm 1 over a window of a length known when the program is built, four quantities at a time.
+#[inline(always)]
+fn recursion<S: Simd, const N: usize, const W: usize>(
+    simd: S,
+    gains: &[f64; W],
+    window: &[[f64; N]; W],
+    estimate: &mut [f64; N],
+) {
+    let whole = N / 4 * 4;
+    let later = || window[1..].iter().zip(&gains[1..]);
+    for first in (0..whole).step_by(4) {
+        let four = |reading: &[f64; N]| f64x4::from_slice(simd, &reading[first..first + 4]);
+        let mut mean = four(&window[0]);
+        for (reading, &gain) in later() {
+            // Algorithm 1: Δμ = G (z(t − n + i) − μ)
+            mean += f64x4::splat(simd, gain) * (four(reading) - mean);
+        }
+        estimate[first..first + 4].copy_from_slice(&<[f64; 4]>::from(mean));
+    }
+    for lane in whole..N {
+        let mut mean = window[0][lane];
+        for (reading, gain) in later() {
+            mean += gain * (reading[lane] - mean);
+        }
+        estimate[lane] = mean;
     }
 }
 
@@ -147,6 +195,9 @@ mod tests {
             std::array::from_fn(|k| std::array::from_fn(|r| (5 * k + r + 1) as f64 / 16.0));
         let first = 1.01 * (1.0 - gains[0]);
         let found = Gains::new(first, process, measurement, 3).estimate(&window);
+        let mut each = [[0.0; 5]];
+        Gains::new(first, process, measurement, 3).estimate_each(&[window], &mut each);
+        assert_eq!(each[0], found, "many at once, to the bit");
         for (region, found) in found.into_iter().enumerate() {
             let mut expected = window[0][region];
             for (reading, gain) in window.iter().zip(gains) {

@@ -136,9 +136,9 @@ impl Hashing {
         silent: &[bool],
         rank: MedianRank,
     ) -> Result<Vec<Option<Snapshot>>, ReadingError> {
-        for sonar in 0..self.sonars {
-            let found = readings_m[sonar];
-            if !silent[sonar] && !(found.is_finite() && found >= 0.0) {
+        for (sonar, &found) in readings_m[..self.sonars].iter().enumerate() {
+            let is_distance = found.is_finite() && found >= 0.0;
+            if !(silent[sonar] || is_distance) {
                 return Err(ReadingError { sonar, found });
             }
         }

@@ -97,8 +97,11 @@ struct Ear {
     place: Vec2,
     /// Unit vector along its axis, robot frame.
     axis: Vec2,
-    axis_rad: f64,
+    /// Probability that it begins to hear the sonar that the slot before fires.
+    crosstalk: f64,
     ghost: Option<Ghost>,
+    /// Whether there was one when it was last fired.
+    haunted: bool,
     silent: bool,
 }
 
@@ -128,14 +131,22 @@ impl Scanner {
         noise: NoiseLevel,
         rng: ChaCha8Rng,
     ) -> Self {
-        let ear = |mount: &Mount| Ear {
+        let fired = spec.orders.of(order);
+        let slots: Vec<_> = (0..spec.slots as usize).map(|slot| fired.get(slot).copied()).collect();
+        let before =
+            |sonar: usize| loud_before(&slots, slots.iter().position(|&s| s == Some(sonar))?);
+        let ear = |(sonar, mount): (usize, &Mount)| Ear {
             place: mount.place,
             axis: unit(mount.axis_rad),
-            axis_rad: mount.axis_rad,
+            crosstalk: before(sonar).map_or(0.0, |other| {
+                let fall = (mount.axis_rad - mounts[other].axis_rad).abs();
+                let fall = fall / spec.crosstalk_angle_deg.to_radians();
+                noise.crosstalk * spec.crosstalk * libm::exp(-fall)
+            }),
             ghost: None,
+            haunted: false,
             silent: false,
         };
-        let fired = spec.orders.of(order);
         let critical_deg = if noise.real { spec.critical_deg } else { 90.0 };
         let cone = |critical_deg: f64| {
             let half_rad = (0.5 * spec.cone_deg).to_radians();
@@ -143,8 +154,8 @@ impl Scanner {
         };
         Self {
             noise,
-            slots: (0..spec.slots as usize).map(|slot| fired.get(slot).copied()).collect(),
-            ears: mounts.iter().map(ear).collect(),
+            ears: mounts.iter().enumerate().map(ear).collect(),
+            slots,
             cone: cone(critical_deg),
             truth: cone(90.0),
             readings: vec![Reading { range_m: spec.range_m, echo: Echo::None }; mounts.len()],
@@ -198,10 +209,8 @@ impl Scanner {
             return;
         }
         let heard = self.hear(sonar, pose, near, rounds);
-        // The slot before fired another sonar of the front, or one that looks elsewhere.
-        let before = (slot + self.slots.len() - 1) % self.slots.len();
-        let loud = self.slots[before].filter(|&other| other != sonar && !self.ears[other].silent);
-        self.cross_talk(sonar, loud, time_s);
+        let loud = loud_before(&self.slots, slot).filter(|&other| !self.ears[other].silent);
+        self.cross_talk(sonar, loud.is_some(), time_s);
         let heard = self.haunt(sonar, time_s, heard);
         self.readings[sonar] = self.distort(heard);
     }
@@ -239,14 +248,12 @@ impl Scanner {
     }
 
     /// Begins and ends crosstalk.
-    fn cross_talk(&mut self, sonar: usize, loud: Option<usize>, time_s: f64) {
+    fn cross_talk(&mut self, sonar: usize, is_loud: bool, time_s: f64) {
         if self.ears[sonar].ghost.is_some_and(|ghost| ghost.until_s <= time_s) {
             self.ears[sonar].ghost = None;
         }
-        let Some(other) = loud.filter(|_| self.ears[sonar].ghost.is_none()) else { return };
-        let apart_rad = (self.ears[sonar].axis_rad - self.ears[other].axis_rad).abs();
-        let fall = apart_rad / self.spec.crosstalk_angle_deg.to_radians();
-        if !self.by_chance(self.noise.crosstalk * self.spec.crosstalk * libm::exp(-fall)) {
+        let deaf = !is_loud || self.ears[sonar].ghost.is_some();
+        if deaf || !self.by_chance(self.ears[sonar].crosstalk) {
             return;
         }
         let ScannerSpec { least_m, range_m, crosstalk_mean_s, .. } = self.spec;
@@ -265,9 +272,9 @@ impl Scanner {
 
     /// Lets a ghost be heard where it is nearer.
     fn haunt(&mut self, sonar: usize, time_s: f64, heard: Reading) -> Reading {
-        let Some(ghost) = self.ears[sonar].ghost.filter(|ghost| ghost.until_s > time_s) else {
-            return heard;
-        };
+        let ghost = self.ears[sonar].ghost.filter(|ghost| ghost.until_s > time_s);
+        self.ears[sonar].haunted = ghost.is_some();
+        let Some(ghost) = ghost else { return heard };
         let range_m = ghost.range_m + self.spec.crosstalk_deviation_m * self.normal();
         if range_m < heard.range_m { Reading { range_m, echo: Echo::Ghost } } else { heard }
     }
@@ -292,11 +299,10 @@ impl Scanner {
         Sight { near, rounds, place, axis: rotate(ear.axis, heading) }.nearest_m(&self.truth)
     }
 
-    /// How many sonars hear a ghost.
+    /// How many sonars were hearing the sound of another when they were last fired, nearer or not.
     #[must_use]
-    pub fn haunted(&self, time_s: f64) -> usize {
-        let ghosts = self.ears.iter().filter_map(|ear| ear.ghost);
-        ghosts.filter(|ghost| ghost.until_s > time_s).count()
+    pub fn haunted(&self) -> usize {
+        self.ears.iter().filter(|ear| ear.haunted).count()
     }
 
     fn by_chance(&mut self, probability: f64) -> bool {
@@ -307,3 +313,11 @@ impl Scanner {
         StandardNormal.sample(&mut self.rng)
     }
 }
+
+/// The sonar that the slot before one fires, if it is another of those that are used.
+fn loud_before(slots: &[Option<usize>], slot: usize) -> Option<usize> {
+    slots[(slot + slots.len() - 1) % slots.len()].filter(|&other| Some(other) != slots[slot])
+}
+
+#[cfg(test)]
+mod tests;

@@ -22,6 +22,8 @@ const ASIDE_M_S: f64 = 0.6;
 const LANE_M_S: f64 = 0.4;
 /// Where along the corridor they mind the robot: so far behind it and before it, metres.
 const MINDED_M: [f64; 2] = [0.6, 2.5];
+/// Where along the corridor the robot changes nothing for them, metres.
+const FAR_M: f64 = 5.0;
 /// Room they leave to walls and door frames, metres.
 const WALL_M: f64 = 0.05;
 const FRAME_M: f64 = 0.13;
@@ -66,7 +68,7 @@ pub struct Person {
 
 /// What they have to mind of the robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossing {
+pub struct Obstacle {
     /// Where it is, metres.
     pub place: Vec2,
     /// Unit vector of its heading.
@@ -95,7 +97,7 @@ pub struct People {
     rng: ChaCha8Rng,
 }
 
-impl Crossing {
+impl Obstacle {
     /// The space kept free: how far ahead of the robot, and beside and behind it, metres.
     const KEPT_M: [f64; 2] = [0.45, 0.15];
 
@@ -183,7 +185,7 @@ impl People {
     }
 
     fn check(&self, place: Vec2, pace_m_s: f64) -> Result<(), String> {
-        if !(pace_m_s.abs() <= 3.0) {
+        if !(-3.0..=3.0).contains(&pace_m_s) {
             return Err(format!("the pace must be from -3 to 3 m/s, not {pace_m_s}"));
         }
         let free = (PERSON_RADIUS_M..=self.length_m - PERSON_RADIUS_M).contains(&place.x)
@@ -209,20 +211,24 @@ impl People {
     }
 
     /// Lets time pass, seconds.
-    pub fn step(&mut self, dt_s: f64, robot: &Crossing) {
+    pub fn step(&mut self, dt_s: f64, robot: &Obstacle) {
         for person in 0..self.everybody.len() {
             self.everybody[person] = self.moved(self.everybody[person], dt_s, robot);
         }
     }
 
-    fn moved(&mut self, mut person: Person, dt_s: f64, robot: &Crossing) -> Person {
+    fn moved(&mut self, mut person: Person, dt_s: f64, robot: &Obstacle) -> Person {
         self.pause(&mut person, dt_s, robot);
+        // Far away the robot changes nothing.
+        let robot = Some(robot).filter(|robot| (person.place.x - robot.place.x).abs() < FAR_M);
         let aside = Vec2::new(0.0, self.sidestep_m(&person, dt_s, robot));
         let onwards = Vec2::new(person.pace_m_s * dt_s, 0.0);
-        let away = Vec2::new(onwards.x.abs() * (person.place.x - robot.place.x).signum(), 0.0);
         let standing = person.pausing_s > 0.0;
-        let ways = if robot.depth_m(person.place) > 0.0 {
+        let crowding = robot.filter(|robot| robot.depth_m(person.place) > 0.0);
+        let ways = if let Some(robot) = crowding {
             // The robot came too near: whatever leads out.
+            let away = onwards.x.abs() * (person.place.x - robot.place.x).signum();
+            let away = Vec2::new(away, 0.0);
             [aside + away, away, aside]
         } else if standing {
             [aside, Vec2::zeros(), Vec2::zeros()]
@@ -244,7 +250,7 @@ impl People {
     }
 
     /// Begins and ends pauses.
-    fn pause(&mut self, person: &mut Person, dt_s: f64, robot: &Crossing) {
+    fn pause(&mut self, person: &mut Person, dt_s: f64, robot: &Obstacle) {
         person.until_pause_s -= dt_s;
         if (person.place - robot.place).norm() < NO_PAUSE_M {
             person.pausing_s = 0.0;
@@ -257,37 +263,45 @@ impl People {
     }
 
     /// Way to the side in a time: to the lane, to the middle of a door, or out of the robot's way.
-    fn sidestep_m(&self, person: &Person, dt_s: f64, robot: &Crossing) -> f64 {
-        let minded = robot.is_minded_by(person.place);
-        let wanted_m = if minded { self.beside_m(robot) } else { person.lane_m };
+    fn sidestep_m(&self, person: &Person, dt_s: f64, robot: Option<&Obstacle>) -> f64 {
+        let minded = robot.filter(|robot| robot.is_minded_by(person.place));
+        let wanted_m = minded.map_or(person.lane_m, |robot| self.beside_m(robot));
         let door = self.doors.iter().find(|door| (person.place.x - door.x_m).abs() < FUNNEL_M);
         let most_m = match door {
             Some(door) => door.half_width_m - PERSON_RADIUS_M - FRAME_M,
             None => self.half_width_m - PERSON_RADIUS_M - WALL_M,
         };
         let wanted_m = wanted_m.clamp(-most_m.max(0.0), most_m.max(0.0));
-        let most_m = if minded { ASIDE_M_S } else { LANE_M_S } * dt_s;
+        let most_m = if minded.is_some() { ASIDE_M_S } else { LANE_M_S } * dt_s;
         (wanted_m - person.place.y).clamp(-most_m, most_m)
     }
 
     /// The middle of the roomier side of the robot.
-    fn beside_m(&self, robot: &Crossing) -> f64 {
+    fn beside_m(&self, robot: &Obstacle) -> f64 {
         let side = if robot.place.y > 0.0 { -1.0 } else { 1.0 };
         f64::midpoint(robot.place.y + side * robot.half.y, side * self.half_width_m)
     }
 
     /// Whether somebody may go from a place to another: not into a frame, not into a door that the
     /// robot is in, and not deeper into the space before the robot.
-    fn may_go(&self, from: Vec2, to: Vec2, robot: &Crossing) -> bool {
+    fn may_go(&self, from: Vec2, to: Vec2, robot: Option<&Obstacle>) -> bool {
+        let stays = to.y.abs() <= self.half_width_m - PERSON_RADIUS_M
+            && (PERSON_RADIUS_M..=self.length_m - PERSON_RADIUS_M).contains(&to.x);
+        stays
+            && self.is_clear_of_frames(to)
+            && robot.is_none_or(|robot| self.leaves_room(from, to, robot))
+    }
+
+    /// Whether a way leads neither deeper into the space before the robot nor into a door it is in.
+    fn leaves_room(&self, from: Vec2, to: Vec2, robot: &Obstacle) -> bool {
         let waits = |door: &Passage| {
             let (now_m, then_m) = ((from.x - door.x_m).abs(), (to.x - door.x_m).abs());
             let robot_in_door = (robot.place.x - door.x_m).abs() < IN_DOOR_M;
             robot_in_door && then_m < now_m && then_m < WAIT_M
         };
-        let deeper = robot.depth_m(to) > 0.0 && robot.depth_m(to) >= robot.depth_m(from);
-        let stays = to.y.abs() <= self.half_width_m - PERSON_RADIUS_M
-            && (PERSON_RADIUS_M..=self.length_m - PERSON_RADIUS_M).contains(&to.x);
-        stays && self.is_clear_of_frames(to) && !deeper && !self.doors.iter().any(waits)
+        let deep_m = robot.depth_m(to);
+        let deeper = deep_m > 0.0 && deep_m >= robot.depth_m(from);
+        !deeper && !self.doors.iter().any(waits)
     }
 
     fn is_clear_of_frames(&self, place: Vec2) -> bool {
@@ -319,8 +333,8 @@ mod tests {
         vec![Passage { x_m: 20.0, half_width_m: 0.9 }]
     }
 
-    fn robot(x: f64, y: f64) -> Crossing {
-        Crossing { place: Vec2::new(x, y), direction: Vec2::x(), half: Vec2::new(0.375, 0.35) }
+    fn robot(x: f64, y: f64) -> Obstacle {
+        Obstacle { place: Vec2::new(x, y), direction: Vec2::x(), half: Vec2::new(0.375, 0.35) }
     }
 
     #[test]

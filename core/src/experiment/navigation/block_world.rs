@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use super::drive::{Setup, Starts};
+use super::run::{Setup, Starts};
 use super::vehicle::{Outfit, hashed};
 use super::{NavigationError, NoiseChoice, fusion_rule};
 use crate::geometry::{Pose, Vec2};

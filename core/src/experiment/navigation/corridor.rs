@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use super::drive::{Setup, Starts};
+use super::run::{Setup, Starts};
 use super::vehicle::{Outfit, hashed};
 use super::{NavigationError, NoiseChoice, fusion_rule};
 use crate::geometry::{Pose, Vec2};
@@ -79,7 +79,7 @@ impl CorridorSettings {
             // Of each door's four points the first three begin an edge of its frame.
             let index = index % side.len();
             let last = side.len() - 1;
-            if index == 0 || index == last || index % 4 == 0 {
+            if index == 0 || index == last || index.is_multiple_of(4) {
                 Surface::Wall
             } else {
                 Surface::Door

@@ -5,11 +5,12 @@ use std::sync::Arc;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::cycle::{Bump, Contact, RegionState};
+use super::checkpoint::Progress;
+use super::cycle::{Bump, Contact, Cycle, RegionState};
 use crate::geometry::{Pose, Vec2};
 use crate::perception::{Fusion, Hashing, Method, RegionDepth};
 use crate::robot::{Body, BumperSpec, Command, CompassSpec, Drive, Scanner};
-use crate::world::{Arena, Crossing, Near, People, Round};
+use crate::world::{Arena, Near, Obstacle, People, Round};
 
 /// How far beyond the range of the sonars things are noted, metres: more than the robot moves in a cycle.
 const NOTED_M: f64 = 0.5;
@@ -26,12 +27,11 @@ pub(super) struct Outfit {
     pub(super) compass: CompassSpec,
 }
 
-/// A contact that is not over.
+/// How a robot backs off by itself after a contact.
 #[derive(Clone, Copy, Debug)]
-struct Touching {
-    /// Until when the robot backs off, seconds, and how fast, m/s.
+struct BackOff {
     until_s: f64,
-    back_off_m_s: f64,
+    v_m_s: f64,
 }
 
 /// A robot during a run.
@@ -47,8 +47,9 @@ pub(super) struct Vehicle {
     rounds: Vec<Round>,
     /// Clearance of the body to what stands still, at least, metres.
     room_m: f64,
-    touching: Option<Touching>,
-    backing_off: Option<Touching>,
+    /// Whether the last contact is not over.
+    touching: bool,
+    backing_off: Option<BackOff>,
     slots_done: u64,
     load: f64,
 }
@@ -72,7 +73,7 @@ impl Vehicle {
             near: Near::default(),
             rounds: Vec::new(),
             room_m: 0.0,
-            touching: None,
+            touching: false,
             backing_off: None,
             slots_done: 0,
             load: 0.0,
@@ -81,9 +82,34 @@ impl Vehicle {
         vehicle
     }
 
+    /// Everything there is to say at the end of a cycle, but for what was decided and touched.
+    pub(super) fn observe(&mut self, progress: &Progress, cycle: u32) -> Cycle {
+        let regions = self.regions();
+        Cycle {
+            tick: progress.ticks,
+            run: progress.runs + 1,
+            cycle,
+            time_s: self.time_s(),
+            method: progress.method,
+            pose: self.drive.pose,
+            speed: self.drive.speed,
+            compass_rad: self.compass_rad(),
+            motor_load: self.load,
+            readings: self.scanner.readings().to_vec(),
+            blind: regions.iter().position(|region| region.depth.is_none()),
+            regions,
+            inference: None,
+            command: Command::default(),
+            bump: None,
+            backing_off: self.backing_off.is_some(),
+            clearance_m: self.clearance_m(),
+            people: self.people.everybody().to_vec(),
+        }
+    }
+
     /// Time since the start of the run, seconds.
     #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
-    pub(super) fn time_s(&self) -> f64 {
+    fn time_s(&self) -> f64 {
         self.slots_done as f64 * self.scanner.slot_s()
     }
 
@@ -93,7 +119,7 @@ impl Vehicle {
         let mut bump = None;
         for slot in 0..self.scanner.slots() {
             self.slots_done += 1;
-            self.people.step(self.scanner.slot_s(), &self.crossing());
+            self.people.step(self.scanner.slot_s(), &self.obstacle());
             self.rounds.clear();
             let place = self.drive.pose.position();
             let reach_m = self.scanner.range_m() + NOTED_M;
@@ -126,28 +152,21 @@ impl Vehicle {
         self.outfit.arena.note_near(self.drive.pose.position(), within_m, &mut self.near);
     }
 
-    fn crossing(&self) -> Crossing {
+    fn obstacle(&self) -> Obstacle {
         let pose = self.drive.pose;
         let half = match self.outfit.body {
             Body::Box { half_length_m, half_width_m } => Vec2::new(half_length_m, half_width_m),
             Body::Round { radius_m } => Vec2::new(radius_m, radius_m),
         };
-        Crossing { place: pose.position(), direction: pose.direction(), half }
+        Obstacle { place: pose.position(), direction: pose.direction(), half }
     }
 
     /// The command, unless the robot backs off by itself.
     fn backing_off_or(&mut self, command: Command) -> Command {
         let now_s = self.time_s();
-        self.backing_off = self.backing_off.filter(|touching| touching.until_s >= now_s);
-        match self.backing_off {
-            Some(touching) => Command { v_m_s: touching.back_off_m_s, w_rad_s: 0.0 },
-            None => command,
-        }
-    }
-
-    /// Whether the robot backs off by itself.
-    pub(super) fn is_backing_off(&self) -> bool {
-        self.backing_off.is_some()
+        self.backing_off = self.backing_off.filter(|back_off| back_off.until_s >= now_s);
+        let v_m_s = self.backing_off.map(|back_off| back_off.v_m_s);
+        v_m_s.map_or(command, |v_m_s| Command { v_m_s, w_rad_s: 0.0 })
     }
 
     /// One slot's motion; a motion into something is not made. The contact, if it is a new one.
@@ -195,23 +214,22 @@ impl Vehicle {
 
     /// A contact is one until the body is free again; a new one makes the robot back off.
     fn note_contact(&mut self, contact: Option<Contact>, v_m_s: f64) -> Option<Bump> {
-        if self.touching.is_some() {
-            if contact.is_none() && self.clearance_m() >= self.outfit.bumper.free_m {
-                self.touching = None;
-            }
+        if self.touching {
+            let free = contact.is_none() && self.clearance_m() >= self.outfit.bumper.free_m;
+            self.touching = !free;
             return None;
         }
         let contact = contact?;
         let BumperSpec { back_off_m_s, back_off_s, .. } = self.outfit.bumper;
         let (time_s, front) = (self.time_s(), v_m_s >= 0.0);
-        let back_off_m_s = if front { -back_off_m_s } else { back_off_m_s };
-        self.touching = Some(Touching { until_s: time_s + back_off_s, back_off_m_s });
-        self.backing_off = self.touching;
+        let v_m_s = if front { -back_off_m_s } else { back_off_m_s };
+        self.touching = true;
+        self.backing_off = Some(BackOff { until_s: time_s + back_off_s, v_m_s });
         Some(Bump { contact, time_s, front })
     }
 
     /// Clearance of the body to surfaces and people, metres.
-    pub(super) fn clearance_m(&self) -> f64 {
+    fn clearance_m(&self) -> f64 {
         let pose = self.drive.pose;
         let (place, direction) = (pose.position(), pose.direction());
         let body = self.outfit.body;
@@ -224,7 +242,7 @@ impl Vehicle {
     }
 
     /// What the readings say about each region. Sonars of this scanner give distances only.
-    pub(super) fn regions(&mut self) -> Vec<RegionState> {
+    fn regions(&mut self) -> Vec<RegionState> {
         let readings_m: Vec<f64> =
             self.scanner.readings().iter().map(|reading| reading.range_m).collect();
         let depths = self.fusion.take(&readings_m, &self.scanner.silent());
@@ -238,15 +256,10 @@ impl Vehicle {
     }
 
     /// What the compass says, radians.
-    pub(super) fn compass_rad(&mut self) -> f64 {
+    fn compass_rad(&mut self) -> f64 {
         let error: f64 = StandardNormal.sample(&mut self.compass);
         let deviation_rad = self.outfit.compass.deviation_deg.to_radians();
         crate::geometry::wrap_angle(self.drive.pose.heading_rad + deviation_rad * error)
-    }
-
-    /// Load on the motor, 0 to 1.
-    pub(super) fn motor_load(&self) -> f64 {
-        self.load
     }
 }
 

@@ -169,41 +169,21 @@ impl ApproachRun {
         };
         vehicle.glide(self.setup.speed);
         self.progress.ticks += 1;
-        let regions = vehicle.regions();
-        let middle = regions[regions.len() / 2].depth;
-        let cycle_number = self.cycles() + 1;
-        let cycle = Cycle {
-            tick: self.progress.ticks,
-            run: self.progress.runs + 1,
-            cycle: cycle_number,
-            time_s: vehicle.time_s(),
-            method: self.progress.method,
-            pose: vehicle.drive.pose,
-            speed: vehicle.drive.speed,
-            compass_rad: vehicle.compass_rad(),
-            motor_load: vehicle.motor_load(),
-            readings: vehicle.scanner.readings().to_vec(),
-            blind: regions.iter().position(|region| region.depth.is_none()),
-            regions,
-            inference: None,
-            command: self.setup.speed,
-            bump: None,
-            backing_off: false,
-            clearance_m: vehicle.clearance_m(),
-            people: Vec::new(),
-        };
+        let number = self.cycles() + 1;
+        let command = self.setup.speed;
+        let cycle = Cycle { command, ..vehicle.observe(&self.progress, number) };
+        let middle = cycle.regions[cycle.regions.len() / 2].depth;
         if let Some(depth) = middle {
             let mut row = [-(cycle.pose.x_m + self.setup.front_m); Method::ALL.len() + 1];
             row[1..].copy_from_slice(&depth.depths_m);
             self.series.push(row);
         }
-        self.haunted += vehicle.scanner.haunted(cycle.time_s);
-        let over = middle.is_none() || cycle_number >= self.setup.cycles;
-        self.end = over.then(|| self.score(cycle_number));
-        if over {
-            self.progress.runs += 1;
-        } else {
-            self.vehicle = Some(vehicle);
+        self.haunted += vehicle.scanner.haunted();
+        let over = middle.is_none() || number >= self.setup.cycles;
+        self.end = over.then(|| self.score(number));
+        match self.end {
+            Some(_) => self.progress.runs += 1,
+            None => self.vehicle = Some(vehicle),
         }
         (self.cycle.insert(cycle), self.end.as_ref())
     }

@@ -6,6 +6,7 @@
 //! the rules that fire; [`RuleBase::explain`] also says which they are.
 
 mod error;
+mod fll;
 mod grid;
 mod print;
 mod read;

@@ -104,13 +104,13 @@ impl Sight<'_> {
     pub fn echo_m(&self, cone: &Cone) -> Option<f64> {
         let mut met = Met { nearness: [1.0 / cone.range_m; MOST_RAYS], cosine: [-1.0; MOST_RAYS] };
         for face in &self.near.faces {
-            let (a, b) = (self.into_frame(face.segment.a), self.into_frame(face.segment.b));
+            let (a, b) = (self.framed(face.segment.a), self.framed(face.segment.b));
             if !cone.misses(a, b) {
                 met.keep_face(cone, a, b);
             }
         }
         for round in self.rounds {
-            met.keep_round(cone, self.into_frame(round.centre), round.radius_m);
+            met.keep_round(cone, self.framed(round.centre), round.radius_m);
         }
         let echoes = met.nearness.iter().zip(&met.cosine);
         let returned = echoes.filter(|(_, cosine)| **cosine >= cone.least_cosine);
@@ -121,7 +121,7 @@ impl Sight<'_> {
     /// The corners in the cone that the sonar sees, each with its distance in metres.
     pub fn corners<'b>(&'b self, cone: &'b Cone) -> impl Iterator<Item = (&'b Corner, f64)> + 'b {
         self.near.corners.iter().filter_map(move |corner| {
-            let at = self.into_frame(corner.at);
+            let at = self.framed(corner.at);
             (cone.holds(at) && self.sees(corner)).then(|| (corner, at.norm()))
         })
     }
@@ -130,17 +130,18 @@ impl Sight<'_> {
     #[must_use]
     pub fn nearest_m(&self, cone: &Cone) -> f64 {
         let faces = self.near.faces.iter().filter_map(|face| {
-            let part = cone.clip(self.into_frame(face.segment.a), self.into_frame(face.segment.b));
-            part.map(|part| origin_distance_m(part))
+            let part = cone.clip(self.framed(face.segment.a), self.framed(face.segment.b));
+            part.map(origin_distance_m)
         });
         let rounds = self.rounds.iter().filter_map(|round| {
-            let centre = self.into_frame(round.centre);
+            let centre = self.framed(round.centre);
             round_in_cone_m(cone, centre, round.radius_m)
         });
         faces.chain(rounds).fold(cone.range_m, f64::min)
     }
 
-    fn into_frame(&self, point: Vec2) -> Vec2 {
+    /// A point as the sonar sees it.
+    fn framed(&self, point: Vec2) -> Vec2 {
         let way = point - self.place;
         Vec2::new(way.dot(&self.axis), self.axis.perp(&way))
     }

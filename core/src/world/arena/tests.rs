@@ -47,7 +47,7 @@ fn echoes_come_from_what_is_met_nearly_head_on() {
         let found = Sight { near: &near, rounds: &[], place, axis }.echo_m(&cone(critical_deg));
         match (found, expected) {
             (Some(found), Some(expected)) => {
-                assert!((found - expected).abs() < 1e-9, "{case}: {found}")
+                assert!((found - expected).abs() < 1e-9, "{case}: {found}");
             }
             _ => assert_eq!(found, expected, "{case}"),
         }
@@ -121,12 +121,12 @@ proptest! {
         let nearest_m = sight.nearest_m(&cone(30.0));
         // Fine fans that together cover the cone.
         let fine = |k: i32| {
-            let axis = unit(axis_rad + f64::from(k) * 0.5_f64.to_radians());
+            let axis = unit(axis_rad + (f64::from(k) + 0.5) * 0.5_f64.to_radians());
             let slice = Cone::new(0.25_f64.to_radians(), 16, 2.0, 90_f64.to_radians());
             Sight { axis, ..sight }.echo_m(&slice).unwrap_or(2.0)
         };
-        let by_rays_m = (-29..=29).map(fine).fold(2.0, f64::min);
+        let by_rays_m = (-30..30).map(fine).fold(2.0, f64::min);
         prop_assert!(nearest_m <= by_rays_m + 1e-9, "{nearest_m} {by_rays_m}");
-        prop_assert!(by_rays_m - nearest_m < 0.03, "{nearest_m} {by_rays_m}");
+        prop_assert!(by_rays_m - nearest_m < 0.01, "{nearest_m} {by_rays_m}");
     }
 }

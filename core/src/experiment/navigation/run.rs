@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::checkpoint::{NavigationCheckpoint, Progress};
-use super::cycle::{Cycle, RegionState};
+use super::cycle::Cycle;
 use super::error::NavigationError;
 use super::score::{RunEnd, Tally};
 use super::vehicle::{Outfit, Vehicle};
@@ -149,42 +149,26 @@ impl NavigationRun {
         };
         let bump = vehicle.cycle(self.command);
         self.progress.ticks += 1;
-        let regions = vehicle.regions();
-        let blind = regions.iter().position(|region| region.depth.is_none());
-        let inference = blind.is_none().then(|| self.infer(&regions, vehicle.drive.speed));
-        self.command = inference.as_ref().map(command).unwrap_or_default();
-        let cycle = Cycle {
-            tick: self.progress.ticks,
-            run: self.progress.runs + 1,
-            cycle: self.cycles() + 1,
-            time_s: vehicle.time_s(),
-            method: self.progress.method,
-            pose: vehicle.drive.pose,
-            speed: vehicle.drive.speed,
-            compass_rad: vehicle.compass_rad(),
-            motor_load: vehicle.motor_load(),
-            readings: vehicle.scanner.readings().to_vec(),
-            regions,
-            inference,
-            command: self.command,
-            bump,
-            backing_off: vehicle.is_backing_off(),
-            clearance_m: vehicle.clearance_m(),
-            people: vehicle.people.everybody().to_vec(),
-            blind,
-        };
+        let mut cycle = Cycle { bump, ..vehicle.observe(&self.progress, self.cycles() + 1) };
+        cycle.inference = cycle.blind.is_none().then(|| self.infer(&cycle));
+        cycle.command = cycle.inference.as_ref().map(command).unwrap_or_default();
+        self.command = cycle.command;
         self.tally.take(&cycle, &self.setup.doors);
-        let done = self.setup.finish_m.is_some_and(|finish_m| cycle.pose.x_m > finish_m);
-        // A blind robot has been told to stop, and does so within a few cycles.
-        let stopped = blind.is_some() && cycle.speed.v_m_s.abs() < 1e-3;
-        let over = done || stopped || cycle.time_s >= self.setup.limit_s - 1e-9;
-        self.end = over.then(|| self.tally.end(&cycle, done));
-        if over {
-            self.progress.runs += 1;
-        } else {
-            self.vehicle = Some(vehicle);
+        self.end = self.end_of_run(&cycle);
+        match self.end {
+            Some(_) => self.progress.runs += 1,
+            None => self.vehicle = Some(vehicle),
         }
         (self.cycle.insert(cycle), self.end.as_ref())
+    }
+
+    /// What a run comes to if it is over.
+    fn end_of_run(&self, cycle: &Cycle) -> Option<RunEnd> {
+        let done = self.setup.finish_m.is_some_and(|finish_m| cycle.pose.x_m > finish_m);
+        // A blind robot has been told to stop, and does so within a few cycles.
+        let stopped = cycle.blind.is_some() && cycle.speed.v_m_s.abs() < 1e-3;
+        let over = done || stopped || cycle.time_s >= self.setup.limit_s - 1e-9;
+        over.then(|| self.tally.end(cycle, done))
     }
 
     fn cycles(&self) -> u32 {
@@ -192,10 +176,10 @@ impl NavigationRun {
         last.map_or(0, |cycle| cycle.cycle)
     }
 
-    fn infer(&self, regions: &[RegionState], speed: Command) -> Explained {
-        let depths = regions.iter().filter_map(|region| region.depth);
-        let depths = depths.map(|depth| depth.by(self.progress.method));
-        let inputs: Vec<f64> = depths.chain([speed.v_m_s * 100.0]).collect();
+    fn infer(&self, cycle: &Cycle) -> Explained {
+        let depths = cycle.regions.iter().filter_map(|region| region.depth);
+        let depths = depths.map(|depth| depth.by(cycle.method));
+        let inputs: Vec<f64> = depths.chain([cycle.speed.v_m_s * 100.0]).collect();
         self.rules.explain(&inputs)
     }
 
