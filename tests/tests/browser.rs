@@ -40,3 +40,8 @@ fn a_person_can_bring_and_edit_a_world_in_a_browser() {
 fn a_person_can_look_at_the_reproductions_in_a_browser() {
     passes("reproduce.spec.ts");
 }
+
+#[test]
+fn a_person_can_watch_and_advise_learners_with_tables_in_a_browser() {
+    passes("tables.spec.ts");
+}

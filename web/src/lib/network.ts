@@ -9,7 +9,7 @@ import type {
   Problem,
   Session,
 } from './protocol';
-import { presetValue } from './settings';
+import { APART, presetValue } from './settings';
 
 /** A network file that was read. */
 export interface ReadNetwork {
@@ -90,7 +90,7 @@ export function typedOf(
   const typed: Record<string, string | boolean> = {};
   for (const setting of info.settings) {
     const value = settings[setting.key];
-    if (setting.key === 'preset' || setting.key === 'world' || value === undefined) continue;
+    if (APART.includes(setting.key) || value === undefined) continue;
     if (value === presetValue(setting, preset)) continue;
     typed[setting.key] = typeof value === 'boolean' ? value : String(value);
   }

@@ -83,6 +83,8 @@ it('groups by prefix and searches every word, but not preset and world', () => {
   ]);
   expect(keys('noise literal')).toEqual([['sonar', 1]]);
   expect(keys('nothing')).toEqual([]);
+  // The form asks for the number of trials by itself.
+  expect(grouped([setting('trials', 'integer', 100)], '')).toEqual([]);
 });
 
 it('says ranges and values', () => {

@@ -6,8 +6,8 @@ import type { ExperimentInfo, PresetInfo, SettingInfo } from './protocol';
 /** The value of a setting. */
 export type Value = number | string | boolean;
 
-/** Settings that have their own place in the form. */
-const APART = ['preset', 'world'];
+/** Settings that have their own place in the form; `pulls` are the trials of a bandit. */
+export const APART = ['preset', 'world', 'trials', 'pulls'];
 
 /** Settings with a common key prefix. */
 export interface Group {

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 
-import { chosen, columns, gainWords, interval, isRegret, spoken } from './curves';
+import { ceiling, chosen, columns, gainWords, interval, isRegret, spoken } from './curves';
 import { sampleCurve, sampleScores } from './sample';
 
 it('puts curves of unlike points on one axis', () => {
@@ -25,6 +25,12 @@ it('keeps the colour of a curve whatever else is hidden', () => {
     ['B11', 2],
   ]);
   expect(chosen([sampleCurve('B0', 0, [])], [])).toEqual([]);
+});
+
+it('ends the axis where bands do, unless they are far above all means', () => {
+  expect(ceiling([10, null, 4], [12, null])).toBe(12);
+  expect(ceiling([10, 4], [])).toBe(10);
+  expect(ceiling([10, 4], [900])).toBe(20);
 });
 
 it('says where a curve begins and ends', () => {

@@ -50,6 +50,17 @@ export function chosen(
     .filter(({ curve }) => curve.n > 0 && !hidden.includes(curve.name));
 }
 
+/**
+ * Where the y axis ends: at the greatest mean or end of a band, but at most at twice the greatest mean. The band
+ * of two episodes may be many times as wide as all there is to see.
+ */
+export function ceiling(means: (number | null)[], highs: (number | null)[]): number {
+  const most = (values: (number | null)[]) =>
+    values.reduce<number>((most, value) => Math.max(most, value ?? -Infinity), -Infinity);
+  const mean = most(means);
+  return mean > 0 ? Math.min(Math.max(mean, most(highs)), 2 * mean) : Math.max(mean, most(highs));
+}
+
 /** A curve in a few words. */
 export function spoken(curve: CompetitorCurve, over: string): string {
   const [first, last] = [curve.mean[0], curve.mean.at(-1)];
