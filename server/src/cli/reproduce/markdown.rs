@@ -10,14 +10,7 @@ use crate::wire::{Reproduction, ReproductionRow};
 pub(super) fn document(target: &Target, result: &Reproduction) -> String {
     let mut text = format!("### {}: {}\n\n", target.name, target.title);
     text += &format!("{} ({}). ", target.compares, target.source);
-    text += &format!(
-        "{} sets an arm, {} trials a set, seeds {}..{}: `sonarium reproduce {}`.\n\n",
-        target.sets(),
-        target.trials,
-        target.seeds.start(),
-        target.seeds.end(),
-        target.name
-    );
+    text += &format!("{}: `sonarium reproduce {}`.\n\n", capital(&target.extent()), target.name);
     let published = result.rows.iter().any(|row| row.published.is_some());
     let held_against = if published { "published" } else { "required" };
     text += &format!("| | {held_against} | ours | 95 % interval | n | verdict |\n");
@@ -25,7 +18,7 @@ pub(super) fn document(target: &Target, result: &Reproduction) -> String {
     for row in &result.rows {
         text += &format!("| {} |\n", cells(row).map(|cell| escaped(&cell)).join(" | "));
     }
-    text += &format!("\n{}.\n", target.rule);
+    text += &format!("\n{}.\n", target.rule());
     let readings = readings(target, &result.rows);
     if !readings.is_empty() {
         text += &format!("\nReadings:\n\n{}", readings.join(""));
@@ -46,6 +39,11 @@ fn readings(target: &Target, rows: &[ReproductionRow]) -> Vec<String> {
         }
     }
     lines
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
 fn escaped(text: &str) -> String {
