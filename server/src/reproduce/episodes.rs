@@ -2,6 +2,7 @@
 //! figures 4.10 and 4.11.
 
 use std::fmt::Display;
+use std::ops::Range;
 use std::sync::Arc;
 
 use serde_json::Value as Json;
@@ -84,12 +85,12 @@ impl Sets<'_> {
 
     fn run_course(&self, target: &Target, arm: &Arm) -> Result<Course, ReproductionError> {
         let settings = settings(arm)?;
-        let contestant = contestant(arm, &settings)?;
+        let (place, contestant) = contestant(arm, &settings)?;
         let rule = EpisodeRule { trials: target.trials, ..settings.rule() };
         let labyrinth = settings.labyrinth().map_err(|error| broken(arm, error))?;
         let beliefs = matrix(contestant.bias, labyrinth.goal(), &contestant.readings);
         let seeds: Vec<u64> = target.seeds.clone().collect();
-        let range = 0..u32::try_from(EPISODES).unwrap_or(u32::MAX);
+        let range = own_episodes(place);
         let experiments = self.each(&seeds, |&seed| {
             episodes(&labyrinth, &beliefs, &rule, seed, range.clone())
                 .map_err(|error| broken(arm, error))
@@ -114,13 +115,20 @@ pub(super) fn value(arm: &Arm, text: &str) -> Result<Value, ReproductionError> {
     serde_json::from_value(json).map_err(|error| broken(arm, error))
 }
 
-/// The bias an arm is named after, in the reading of its settings.
+/// Numbers of the episodes of an experiment. Every bias and reading has its own, so that no two draw the same
+/// numbers: what they have in common would make single experiments look more alike than they are.
+fn own_episodes(place: usize) -> Range<u32> {
+    let episodes = |places: usize| u32::try_from(places * EPISODES).unwrap_or(u32::MAX);
+    episodes(place)..episodes(place + 1)
+}
+
+/// The bias an arm is named after, in the reading of its settings, with its place among all there are.
 pub(super) fn contestant(
     arm: &Arm,
     settings: &LabyrinthSettings,
-) -> Result<Contestant, ReproductionError> {
+) -> Result<(usize, Contestant), ReproductionError> {
     let name = arm.name.split(", ").next().unwrap_or_default();
-    let found = table_4_3().into_iter().find(|contestant| {
+    let found = table_4_3().into_iter().enumerate().find(|(_, contestant)| {
         contestant.bias.name() == name
             && contestant.readings == settings.readings()
             && contestant.exclusion == settings.exclusion

@@ -9,7 +9,7 @@ use super::episodes::{
     B0, B2, B2_AWAY, B2_TURNS, B2_WEST, B10, B11, B11_CHANCE, B11_FITTED, B30, B31, LABYRINTH,
     READ_B2, READ_B11, READ_GOAL, SCHEME, SIGN, curve, last_ten, settled,
 };
-use super::table_4_3::{EXPERIMENTS, TRIALS, falling};
+use super::table_4_3::{EXPERIMENTS, TRIALS, more};
 use super::{Course, Findings, PUBLISHED, ReproductionError, Row, Sets, Target, Unit, required};
 use crate::wire::ReproductionRow;
 
@@ -65,7 +65,7 @@ fn find(target: &Target, sets: &Sets<'_>) -> Result<Findings, ReproductionError>
         findings.rows.extend(final_rows(course, unbiased));
         findings.rows.extend(early_rows(course, unbiased));
         if let Some(near) = of(Bias::B30).filter(|_| course.bias() == Bias::B2) {
-            findings.rows.extend(MORE_THAN_B30.of(course, falling(&[course, near], unbiased)));
+            findings.rows.extend(MORE_THAN_B30.of(course, more(near, course, unbiased)));
         }
     }
     Ok(findings)

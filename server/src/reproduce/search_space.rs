@@ -1,12 +1,12 @@
 //! Section 4.9's search spaces, with the distances and the ways through the labyrinth it names.
 
 use sonarium_core::labyrinth::{Action, Bias, Labyrinth, belief, distances, matrix, next};
+use sonarium_core::stats::Verdict;
 
 use super::episodes::{LABYRINTH, broken, contestant, settings};
 use super::table_4_3::ARMS;
 use super::{Arm, Findings, NO_SEEDS, ReproductionError, Row, Sets, Target, Unit};
 use crate::wire::ReproductionRow;
-use sonarium_core::stats::Verdict;
 
 /// The search spaces of section 4.9.
 pub static SEARCH_SPACE_4_9: Target = Target {
@@ -37,7 +37,7 @@ fn find(target: &Target, _: &Sets<'_>) -> Result<Findings, ReproductionError> {
 }
 
 fn pairs_left(arm: &Arm) -> Result<ReproductionRow, ReproductionError> {
-    let contestant = contestant(arm, &settings(arm)?)?;
+    let (_, contestant) = contestant(arm, &settings(arm)?)?;
     let labyrinth = Labyrinth::of_the_thesis();
     let beliefs = matrix(contestant.bias, labyrinth.goal(), &contestant.readings);
     let belief =

@@ -68,7 +68,7 @@ fn what_does_not_come_out_is_said() {
         ("B11: gain of one experiment of ten episodes", Verdict::Differs),
         ("experiments in the order B31, B2, B11, B30, B10, literal readings", Verdict::Differs),
         (
-            "experiments in the order B31, B2, B11, B30, B10, with B2 away and B11 chance 0.5",
+            "experiments in the order B31, B2, B11, B30, B10, with B2 away and B11 chance 0.75",
             Verdict::Differs,
         ),
         ("experiments in which B31 gains most, literal readings", Verdict::Agrees),
@@ -76,6 +76,12 @@ fn what_does_not_come_out_is_said() {
     ] {
         assert_eq!(rows[name].verdict, verdict, "{:?}", rows[name]);
     }
+    // The reconstruction: 400 of 400 but for the two, 22.5 % with them.
+    let but_last = &rows["experiments in the same order but for B30 and B10"];
+    assert!(but_last.ours > 80.0, "{but_last:?}");
+    let whole =
+        &rows["experiments in the order B31, B2, B11, B30, B10, with B2 away and B11 chance 0.75"];
+    assert!(whole.ours < 60.0, "{whole:?}");
     let literal = &rows["B2: gain in the reduction of actions"];
     assert!(!literal.reading.contains("after the fact"), "{}", literal.reading);
     let chosen = &rows["B2, away: gain in the reduction of actions"];
