@@ -195,7 +195,15 @@ impl<const S: usize, const A: usize> CompactTable<S, A> {
         }
         self.scale = Scale { inverse, origin: power };
         let scale = self.scale;
-        self.rows.iter_mut().for_each(|row| row.weigh_all(scale));
+        for state in 0..S {
+            // A learner begins with many rows alike.
+            let like_last = state > 0 && self.rows[state].is_like(&self.rows[state - 1]);
+            if like_last {
+                self.rows[state] = self.rows[state - 1];
+            } else {
+                self.rows[state].weigh_all(scale);
+            }
+        }
     }
 }
 
@@ -204,6 +212,12 @@ impl<const A: usize> Row<A> {
     fn choose(&self, unit: f64) -> usize {
         let mark = unit * self.sums[A - 1];
         self.sums[..A - 1].iter().map(|sum| usize::from(mark >= *sum)).sum()
+    }
+
+    /// Whether another row gives the same chances.
+    fn is_like(&self, other: &Self) -> bool {
+        let alike = |a: &[f64; A], b: &[f64; A]| a.map(f64::to_bits) == b.map(f64::to_bits);
+        alike(&self.open, &other.open) && alike(&self.weights, &other.weights)
     }
 
     /// Greatest value of the actions that are not excluded.

@@ -91,6 +91,13 @@ mod tests {
     }
 
     #[test]
+    fn what_is_exact_has_neither_interval_nor_sample() {
+        let exact = ReproductionRow { n: 0, ..row("pairs", Verdict::Agrees) };
+        assert_eq!(cells(&exact)[3..5], ["exact", "-"]);
+        assert_eq!(cells(&row("pairs", Verdict::Agrees))[3..5], ["1.00 to 3.00", "200"]);
+    }
+
+    #[test]
     fn columns_are_aligned() {
         let row = cells(&row("reflex: variance", Verdict::Differs));
         let head = line(
