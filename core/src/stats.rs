@@ -72,12 +72,35 @@ impl Estimate {
     /// that. None of an empty sample.
     #[must_use]
     pub fn median(sample: &[f64]) -> Option<Self> {
-        let value = median(sample)?;
-        let mut sorted = sample.to_vec();
-        sorted.sort_by(f64::total_cmp);
+        Some(Self { value: median(sample)?, ..Self::quantile(sample, 0.5)? })
+    }
+
+    /// The value that a share of the population (above 0 and below 1) lies below, between the two values
+    /// nearest to it, with the interval between two order statistics that holds it with 95 % confidence
+    /// whatever the distribution; the least and the greatest value where the sample is too small for
+    /// that. None of an empty sample.
+    #[must_use]
+    pub fn quantile(sample: &[f64], share: f64) -> Option<Self> {
+        let sorted = sorted(sample);
         let n = sorted.len();
-        let below = ranks_below(n);
-        Some(Self { value, low: sorted[below], high: sorted[n - 1 - below], n })
+        let value = between(&sorted, share)?;
+        let (below, above) = (ranks_below(n, share), ranks_below(n, 1.0 - share));
+        Some(Self { value, low: sorted[below], high: sorted[n - 1 - above], n })
+    }
+
+    /// One value of the population, not its mean: the median, with the interval in which the middle 95 %
+    /// of the sample lie, and so, for a large sample, one more value with 95 % probability. None of an
+    /// empty sample.
+    #[must_use]
+    pub fn single(sample: &[f64]) -> Option<Self> {
+        let sorted = sorted(sample);
+        let end = |share| between(&sorted, share);
+        Some(Self {
+            value: median(sample)?,
+            low: end(TAIL)?,
+            high: end(1.0 - TAIL)?,
+            n: sorted.len(),
+        })
     }
 
     /// Variance with the interval ν s²/χ²₀.₉₇₅(ν) to ν s²/χ²₀.₀₂₅(ν); none of fewer than two values.
@@ -110,15 +133,32 @@ impl Estimate {
     }
 }
 
-/// Values that may be left out at each end of a sorted sample of `n` so that the rest still holds the
-/// median with 95 % confidence: the greatest k with P(B ≤ k) ≤ 0.025, B binomial with n and 1/2.
-fn ranks_below(n: usize) -> usize {
+fn sorted(sample: &[f64]) -> Vec<f64> {
+    let mut sorted = sample.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted
+}
+
+/// The quantile of a sorted sample, linear between two neighbours; none of an empty one.
+fn between(sorted: &[f64], share: f64) -> Option<f64> {
+    let place = share * count(sorted.len().checked_sub(1)?);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to n - 1")]
+    let below = place as usize;
+    let (low, high) = (sorted[below], sorted[(below + 1).min(sorted.len() - 1)]);
+    Some(low + (high - low) * (place - count(below)))
+}
+
+/// Values that may be left out at the lower end of a sorted sample of `n` so that the rest still holds the
+/// quantile of a share p with 97.5 % confidence: the greatest k with P(B ≤ k) ≤ 0.025, B binomial with n
+/// and p.
+fn ranks_below(n: usize, share: f64) -> usize {
     // ln P(B = k), so that large samples do not underflow.
-    let mut term = -count(n) * std::f64::consts::LN_2;
+    let mut term = count(n) * libm::log1p(-share);
     let (mut tail, mut ranks) = (libm::exp(term), 0);
-    while tail <= TAIL && ranks < n / 2 {
+    let odds = share / (1.0 - share);
+    while tail <= TAIL && ranks + 1 < n {
         ranks += 1;
-        term += libm::log(count(n - ranks + 1) / count(ranks));
+        term += libm::log(odds * count(n - ranks + 1) / count(ranks));
         tail += libm::exp(term);
     }
     ranks.saturating_sub(1)
@@ -173,6 +213,22 @@ impl Verdict {
     pub const RULE: &str = "agrees: the published value lies inside our 95 % interval; differs: it \
         lies outside; cannot tell: nothing was published, n < 10, or it lies inside an interval wider \
         than half the published value; the published value is taken as exact";
+
+    /// The rule of [`Verdict::exact`], for people.
+    pub const EXACT_RULE: &str = "ours is computed exactly, without a sample: agrees when it is the \
+        published value to the digit that is printed, differs when it is not; cannot tell: nothing was \
+        published";
+
+    /// Judges a published value beside one that was computed exactly; `digit` is the worth of the last
+    /// digit that is printed, above 0.
+    #[must_use]
+    pub fn exact(published: Option<f64>, ours: f64, digit: f64) -> Self {
+        let Some(published) = published.filter(|value| value.is_finite()) else {
+            return Self::CannotTell;
+        };
+        // A little more than half a digit, since neither is exact in binary.
+        if (published - ours).abs() <= 0.501 * digit { Self::Agrees } else { Self::Differs }
+    }
 
     /// Judges a published value.
     ///

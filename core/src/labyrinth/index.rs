@@ -6,7 +6,7 @@ use crate::stats::Estimate;
 use crate::tabular::Exclusion;
 
 /// Episodes of one experiment: "all points on the curves are cumulative averages of ten episodes".
-const EPISODES: usize = 10;
+pub const EPISODES: usize = 10;
 
 /// The index of a bias, with what it was made of. Percentages.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,15 +23,18 @@ pub struct Gain {
     pub unbiased: f64,
 }
 
+/// Eq. (4.13) of every experiment of ten episodes, percent, against the unbiased learner's in the same place.
+#[must_use]
+pub fn gains(biased: &[Episode], unbiased: &[Episode]) -> Vec<f64> {
+    let pairs = biased.chunks_exact(EPISODES).zip(unbiased.chunks_exact(EPISODES));
+    pairs.map(|(biased, unbiased)| percent(index(biased), index(unbiased))).collect()
+}
+
 /// Eq. (4.13) over episodes of a bias and of the unbiased learner; none of fewer than two experiments of ten
 /// episodes.
 #[must_use]
 pub fn gain(biased: &[Episode], unbiased: &[Episode]) -> Option<Gain> {
-    let experiments: Vec<f64> = biased
-        .chunks_exact(EPISODES)
-        .zip(unbiased.chunks_exact(EPISODES))
-        .map(|(biased, unbiased)| percent(index(biased), index(unbiased)))
-        .collect();
+    let experiments = gains(biased, unbiased);
     let spread = Estimate::mean(&experiments)?;
     let (index_b, index_0) = (index(biased), index(unbiased));
     let value = percent(index_b, index_0);
@@ -143,6 +146,7 @@ mod tests {
         let found = gain(&biased, &unbiased).expect("two experiments");
         // J = 5 and 7 in the two experiments, against 10: gains of 50 % and 30 %.
         assert!((found.mean.value - 40.0).abs() < 1e-9 && (found.unbiased - 10.0).abs() < 1e-12);
+        assert_eq!(gains(&biased, &unbiased).len(), 2);
         assert!((found.low - 30.0).abs() < 1e-9 && (found.high - 50.0).abs() < 1e-9);
         assert_eq!(
             gain(&biased[..19], &unbiased),

@@ -165,6 +165,40 @@ fn the_interval_of_a_median_is_that_of_the_tables() {
 }
 
 #[test]
+fn the_interval_of_a_quantile_is_that_of_the_binomial_distribution() {
+    // Sums of binomial terms in exact whole numbers: n, share, places of the ends from 0.
+    for (n, share, low, high) in [(400, 0.05, 11, 29), (400, 0.95, 370, 388), (100, 0.25, 16, 34)] {
+        let sample: Vec<f64> = (0..n).map(f64::from).collect();
+        let found = Estimate::quantile(&sample, share).expect("a sample");
+        assert_eq!((found.low, found.high), (f64::from(low), f64::from(high)), "{n} {share}");
+        assert!((found.value - share * f64::from(n - 1)).abs() < 1e-9, "{found:?}");
+    }
+    assert_eq!(Estimate::quantile(&[], 0.05), None);
+}
+
+#[test]
+fn a_single_value_lies_in_the_middle_of_the_sample() {
+    let sample: Vec<f64> = (0..=40).rev().map(f64::from).collect();
+    let found = Estimate::single(&sample).expect("a sample");
+    assert_eq!((found.value, found.low, found.high, found.n), (20.0, 1.0, 39.0, 41));
+    assert_eq!(Estimate::single(&[]), None);
+}
+
+#[test]
+fn an_exact_value_agrees_to_the_digit_that_is_printed() {
+    for (published, ours, digit, verdict) in [
+        (Some(59.0), 59.049, 0.1, Verdict::Agrees),
+        (Some(58.5), 58.4585, 0.1, Verdict::Agrees),
+        (Some(58.5), 58.39, 0.1, Verdict::Differs),
+        (Some(38.0), 38.0, 1.0, Verdict::Agrees),
+        (Some(38.0), 39.0, 1.0, Verdict::Differs),
+        (None, 38.0, 1.0, Verdict::CannotTell),
+    ] {
+        assert_eq!(Verdict::exact(published, ours, digit), verdict, "{published:?} {ours}");
+    }
+}
+
+#[test]
 fn a_bound_is_kept_only_by_a_whole_interval() {
     let ours = |low, high, n| Estimate { value: f64::midpoint(low, high), low, high, n };
     for (bound, low, high, n, verdict) in [

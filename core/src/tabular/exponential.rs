@@ -31,7 +31,13 @@ impl Exponential {
     #[must_use]
     pub fn of(x: f64) -> Self {
         let x = if x > -MOST { x } else { -MOST };
-        let x = if x < MOST { x } else { MOST };
+        Self::within(if x < MOST { x } else { MOST })
+    }
+
+    /// The same for |x| up to 1e12; of any other x the power alone has a meaning: it is beyond 1e12 in
+    /// magnitude too.
+    #[inline(always)]
+    pub(super) fn within(x: f64) -> Self {
         let shifted = x * core::f64::consts::LOG2_E + ROUND;
         let whole = shifted - ROUND;
         // x = whole · ln 2 + r, |r| <= ln 2 / 2
@@ -49,11 +55,15 @@ impl Exponential {
     #[must_use]
     pub fn beside(self, greatest: i64) -> f64 {
         let power = self.power - greatest;
-        let power = if power > LEAST_POWER { power } else { LEAST_POWER };
-        #[expect(clippy::cast_sign_loss, reason = "from -1000 to 0, plus 1023")]
-        let unit = f64::from_bits(((power + 1023) as u64) << 52);
-        self.mantissa * unit
+        self.mantissa * power_of_two(if power > LEAST_POWER { power } else { LEAST_POWER })
     }
+}
+
+/// 2ⁿ for n from -1022 to 1023.
+#[inline(always)]
+#[expect(clippy::cast_sign_loss, reason = "n + 1023 is from 1 to 2046")]
+pub(super) fn power_of_two(n: i64) -> f64 {
+    f64::from_bits(((n + 1023) as u64) << 52)
 }
 
 /// The series `Σ rᵏ/k!` to k = 11.
@@ -94,6 +104,9 @@ mod tests {
         }
         for (x, expected) in [(f64::NEG_INFINITY, 0.0), (-2000.0, 0.0), (0.0, 1.0)] {
             assert!((Exponential::of(x).beside(0) - expected).abs() < 1e-300, "{x}");
+        }
+        for x in [1e13, 1e20, f64::MAX, f64::INFINITY, f64::NAN, -1e13, f64::NEG_INFINITY] {
+            assert!(Exponential::within(x).power.unsigned_abs() > 1_000_000_000_000, "{x}");
         }
         assert_eq!(Exponential::NOTHING.beside(-1_000_000), 0.0);
     }

@@ -30,7 +30,7 @@ mod world;
 pub use advisor::{Advisor, AdvisorMemory, AdvisorRule, RuleRecord, vocabulary};
 pub use bandit::{Arm, Bandit, BanditError, Estimates, Payoff, Pull, Strategy, StrategyRule};
 pub use bias::{Belief, BeliefError, Exclusion, Reflex, Shaping, Subgoals};
-pub use compact::{Compact, CompactRule, CompactTable};
+pub use compact::{Compact, CompactRule, CompactTable, Units};
 pub use critic::{Ahc, Critic};
 pub use dyna::Dyna;
 pub use error::MdpError;
@@ -64,7 +64,13 @@ use rand::Rng;
 
 /// A number from 0 (in) to 1 (out), in steps of 2⁻⁵³.
 #[inline]
-#[expect(clippy::cast_precision_loss, reason = "53 bits fit")]
 pub fn unit(rng: &mut impl Rng) -> f64 {
-    (rng.next_u64() >> 11) as f64 * (1.0 / 9_007_199_254_740_992.0)
+    unit_of(rng.next_u64())
+}
+
+/// The number that 64 random bits stand for.
+#[inline(always)]
+#[expect(clippy::cast_precision_loss, reason = "53 bits fit")]
+fn unit_of(bits: u64) -> f64 {
+    (bits >> 11) as f64 * (1.0 / 9_007_199_254_740_992.0)
 }

@@ -4,7 +4,7 @@
 use sonarium_core::stats::{Bound, Estimate};
 
 use super::required::{row, success_pct};
-use super::{Arm, Findings, ReproductionError, SEEDS, Sample, Set, Sets, Target, curve};
+use super::{Arm, Findings, ReproductionError, SEEDS, Sample, Set, Sets, Target, Unit, curve};
 use crate::catalog::{DEFAULT_TRIALS, MINIMUM_COST_PATH};
 use crate::wire::{ReproductionRow, Trial};
 
@@ -22,9 +22,10 @@ pub static ABLATIONS: Target = Target {
          default preset needs in the last trial in that world, in the median; one more than there are \
          where none does",
     ],
-    rule: Bound::RULE,
+    rules: &[Bound::RULE],
     experiment: MINIMUM_COST_PATH,
     arms: ARMS,
+    unit: Unit::Set,
     trials: DEFAULT_TRIALS,
     seeds: SEEDS,
     find,

@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use sonarium_core::stats::Estimate;
 
-use super::{Arm, Findings, PUBLISHED, ReproductionError, Row, Sample, Set, Sets, Target, curve};
+use super::{
+    Arm, Findings, PUBLISHED, ReproductionError, Row, Sample, Set, Sets, Target, Unit, curve,
+};
 use crate::catalog::{DEFAULT_TRIALS, FieldError, MINIMUM_COST_PATH, Plan, Trained};
 use crate::session::Run;
 use crate::wire::{ReproductionRow, Trial};
@@ -34,9 +36,10 @@ pub static CARRY_OVER: Target = Target {
         "The reflex finds the goal in all four worlds, so that from scratch there is something to learn \
          from",
     ],
-    rule: PUBLISHED,
+    rules: &[PUBLISHED],
     experiment: MINIMUM_COST_PATH,
     arms: ARMS,
+    unit: Unit::Set,
     trials: DEFAULT_TRIALS,
     seeds: CARRY_SEEDS,
     find,

@@ -39,15 +39,24 @@ pub fn curve(
 
 fn point(trial: u32, values: &[Option<f64>]) -> ReproductionPoint {
     let sample: Vec<f64> = values.iter().flatten().copied().collect();
-    let mean = Estimate::mean(&sample);
     let bar = || values.iter().take(BAR_SETS).flatten().copied();
     ReproductionPoint {
-        x: f64::from(trial),
-        mean: stats::mean(&sample),
-        low: mean.map(|mean| mean.low),
-        high: mean.map(|mean| mean.high),
         least: bar().reduce(f64::min),
         greatest: bar().reduce(f64::max),
+        ..mean_at(trial.into(), &sample)
+    }
+}
+
+/// A point without bars: the mean of a sample with its interval.
+pub(super) fn mean_at(x: f64, sample: &[f64]) -> ReproductionPoint {
+    let mean = Estimate::mean(sample);
+    ReproductionPoint {
+        x,
+        mean: stats::mean(sample),
+        low: mean.map(|mean| mean.low),
+        high: mean.map(|mean| mean.high),
+        least: None,
+        greatest: None,
         n: u32::try_from(sample.len()).unwrap_or(u32::MAX),
     }
 }

@@ -3,7 +3,8 @@
 use sonarium_core::stats::Estimate;
 
 use super::{
-    Findings, PRESETS, PUBLISHED, Picture, ReproductionError, Row, SEEDS, Sample, Set, Sets, Target,
+    Findings, PRESETS, PUBLISHED, Picture, ReproductionError, Row, SEEDS, Sample, Set, Sets,
+    Target, Unit,
 };
 use crate::catalog::{DEFAULT_TRIALS, MINIMUM_COST_PATH};
 use crate::render::ArenaView;
@@ -26,9 +27,10 @@ pub static FIGURE_5_10: Target = Target {
         "A trial that does not reach the goal skips nothing, passes nothing and heads nowhere: it \
          counts against the shares, and not in the means over crossings",
     ],
-    rule: PUBLISHED,
+    rules: &[PUBLISHED],
     experiment: MINIMUM_COST_PATH,
     arms: PRESETS,
+    unit: Unit::Set,
     trials: DEFAULT_TRIALS,
     seeds: SEEDS,
     find,

@@ -8,6 +8,7 @@ use sonarium_core::stats::{self, Estimate};
 use super::figure_5_9::{TRC_SEEDS, TRIALS, first_reached};
 use super::{
     Arm, Findings, PRESETS, PUBLISHED, Picture, ReproductionError, Row, Sample, Set, Sets, Target,
+    Unit,
 };
 use crate::catalog::{MINIMUM_COST_PATH_TRC, Plan};
 use crate::render::ArenaView;
@@ -31,9 +32,10 @@ pub static FIGURE_5_8: Target = Target {
          active, the nearest acts, and a collision ends the way",
         "The world is our own, since the figure is lost",
     ],
-    rule: PUBLISHED,
+    rules: &[PUBLISHED],
     experiment: MINIMUM_COST_PATH_TRC,
     arms: PRESETS,
+    unit: Unit::Set,
     trials: TRIALS,
     seeds: TRC_SEEDS,
     find,

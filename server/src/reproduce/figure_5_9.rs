@@ -6,7 +6,7 @@ use sonarium_core::stats::{self, Estimate};
 
 use super::figure_5_8::sample;
 use super::{
-    Findings, PRESETS, PUBLISHED, ReproductionError, Row, Sample, Set, Sets, Target, curve,
+    Findings, PRESETS, PUBLISHED, ReproductionError, Row, Sample, Set, Sets, Target, Unit, curve,
 };
 use crate::catalog::MINIMUM_COST_PATH_TRC;
 use crate::wire::Trial;
@@ -32,9 +32,10 @@ pub static FIGURE_5_9: Target = Target {
          thesis; their curves are over the sets that reached it, and n says how many",
         "A collision, real or virtual, ends the trial",
     ],
-    rule: PUBLISHED,
+    rules: &[PUBLISHED],
     experiment: MINIMUM_COST_PATH_TRC,
     arms: PRESETS,
+    unit: Unit::Set,
     trials: TRIALS,
     seeds: TRC_SEEDS,
     find,

@@ -1,8 +1,10 @@
 //! What was found: rows, curves and pictures.
 
+use std::sync::Arc;
+
 use sonarium_core::stats::{Estimate, Verdict};
 
-use super::{ReproductionError, Sample, Target};
+use super::{ReproductionError, Target};
 use crate::render::ArenaView;
 use crate::wire::{Reproduction, ReproductionCurve, ReproductionPicture, ReproductionRow};
 
@@ -43,14 +45,42 @@ pub struct Row<'a> {
     pub reading: &'a str,
 }
 
+/// Where the figure of a row was found.
+pub trait Origin {
+    /// Name of the arm, with which the row's begins.
+    fn arm(&self) -> &str;
+    /// What was run, with the seeds: `Preset default, seeds 700000..700199`.
+    fn words(&self) -> String;
+}
+
+impl<Inside: Origin> Origin for Arc<Inside> {
+    fn arm(&self) -> &str {
+        (**self).arm()
+    }
+
+    fn words(&self) -> String {
+        (**self).words()
+    }
+}
+
 impl Row<'_> {
     /// The row of an arm; none when nothing could be estimated.
     #[must_use]
-    pub fn of(&self, sample: &Sample, ours: Option<Estimate>) -> Option<ReproductionRow> {
-        let ours = ours?;
-        let [first, last] = sample.seeds;
+    pub fn of(&self, origin: &dyn Origin, ours: Option<Estimate>) -> Option<ReproductionRow> {
+        let row = self.over_arms(ours)?;
         Some(ReproductionRow {
-            name: format!("{}: {}", sample.arm.name, self.name),
+            name: format!("{}: {}", origin.arm(), row.name),
+            reading: format!("{}: {}", origin.words(), row.reading),
+            ..row
+        })
+    }
+
+    /// A row about several arms together; none when nothing could be estimated.
+    #[must_use]
+    pub fn over_arms(&self, ours: Option<Estimate>) -> Option<ReproductionRow> {
+        let ours = ours?;
+        Some(ReproductionRow {
+            name: self.name.into(),
             published: self.published,
             required: None,
             ours: ours.value,
@@ -59,8 +89,26 @@ impl Row<'_> {
             n: u32::try_from(ours.n).unwrap_or(u32::MAX),
             unit: self.unit.into(),
             verdict: Verdict::of(self.published, &ours).into(),
-            reading: format!("{}, seeds {first}..{last}: {}", sample.arm.words(), self.reading),
+            reading: self.reading.into(),
         })
+    }
+
+    /// The row of a figure that was computed exactly, of an arm or of all together, held against what is
+    /// printed to a digit of this worth. It has no sample: its n is 0 and its interval has no width.
+    #[must_use]
+    pub fn exact(&self, arm: Option<&str>, ours: f64, digit: f64) -> ReproductionRow {
+        ReproductionRow {
+            name: arm.map_or_else(|| self.name.into(), |arm| format!("{arm}: {}", self.name)),
+            published: self.published,
+            required: None,
+            ours,
+            low: ours,
+            high: ours,
+            n: 0,
+            unit: self.unit.into(),
+            verdict: Verdict::exact(self.published, ours, digit).into(),
+            reading: self.reading.into(),
+        }
     }
 }
 

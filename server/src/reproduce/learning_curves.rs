@@ -6,7 +6,8 @@ use std::sync::Arc;
 use sonarium_core::stats::{self, Estimate};
 
 use super::{
-    Findings, PRESETS, PUBLISHED, ReproductionError, Row, SEEDS, Sample, Set, Sets, Target, curve,
+    Findings, PRESETS, PUBLISHED, ReproductionError, Row, SEEDS, Sample, Set, Sets, Target, Unit,
+    curve,
 };
 use crate::catalog::{DEFAULT_TRIALS, MINIMUM_COST_PATH};
 use crate::wire::{ReproductionRow, Trial};
@@ -30,9 +31,10 @@ const CURVES: Target = Target {
     compares: COMPARES,
     source: "Figure 5.11, sections 5.11 and 5.12",
     readings: READINGS,
-    rule: PUBLISHED,
+    rules: &[PUBLISHED],
     experiment: MINIMUM_COST_PATH,
     arms: PRESETS,
+    unit: Unit::Set,
     trials: DEFAULT_TRIALS,
     seeds: SEEDS,
     find: find_neurons,

@@ -1,8 +1,9 @@
 //! What the thesis shows and claims, computed again and held against what it prints.
 //!
-//! A target is data and a function: which experiment runs, with which arms (presets, settings, worlds)
-//! and seeds, and what is found in its sets of trials: rows, curves and pictures. The seeds of targets,
-//! 700000 upwards, were used for nothing else: no setting was chosen on them, and none may be.
+//! A target is data and a function: which experiment runs, with which arms (presets, settings, worlds),
+//! what one seed gives ([`Unit`]) and over which seeds, and what is found in all that: rows, curves and
+//! pictures. The seeds of targets, 700000 upwards, were used for nothing else: no setting was chosen on
+//! them, and none may be.
 //!
 //! To add one, write a file with a `static` [`Target`] and name it in [`TARGETS`].
 
@@ -10,16 +11,22 @@ mod ablations;
 mod carry_over;
 mod csv;
 mod curve;
+mod episodes;
+mod figure_3_3;
+mod figure_4_12;
 mod figure_5_10;
 mod figure_5_8;
 mod figure_5_9;
+mod figures_4;
 mod findings;
 mod learning_curves;
 mod office;
 mod required;
 mod robustness;
+mod search_space;
 mod sets;
 mod shelf;
+mod table_4_3;
 mod table_5_1;
 
 #[cfg(test)]
@@ -29,20 +36,27 @@ pub use ablations::ABLATIONS;
 pub use carry_over::CARRY_OVER;
 pub use csv::{curves_csv, rows_csv};
 pub use curve::curve;
+pub use episodes::Course;
+pub use figure_3_3::FIGURE_3_3;
+pub use figure_4_12::FIGURE_4_12;
 pub use figure_5_8::FIGURE_5_8;
 pub use figure_5_9::FIGURE_5_9;
 pub use figure_5_10::FIGURE_5_10;
-pub use findings::{Findings, Picture, Row};
+pub use figures_4::{FIGURE_4_10, FIGURE_4_11};
+pub use findings::{Findings, Origin, Picture, Row};
 pub use learning_curves::{FIGURE_5_11, FIGURE_5_12, FIGURE_5_13};
 pub use robustness::ROBUSTNESS;
+pub use search_space::SEARCH_SPACE_4_9;
 pub use sets::{Kept, Sample, Set, Sets};
 pub use shelf::Shelf;
+pub use table_4_3::TABLE_4_3;
 pub use table_5_1::TABLE_5_1;
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 use serde_json::Value;
+use sonarium_core::labyrinth::EPISODES;
 use sonarium_core::stats::Verdict;
 
 use crate::catalog::{Catalog, CatalogError, FieldError, from_text};
@@ -60,6 +74,12 @@ pub static TARGETS: &[&Target] = &[
     &ABLATIONS,
     &ROBUSTNESS,
     &CARRY_OVER,
+    &TABLE_4_3,
+    &FIGURE_4_10,
+    &FIGURE_4_11,
+    &FIGURE_4_12,
+    &SEARCH_SPACE_4_9,
+    &FIGURE_3_3,
 ];
 
 /// How verdicts on published figures are found.
@@ -67,6 +87,9 @@ pub const PUBLISHED: &str = Verdict::RULE;
 
 /// Seeds of the chapter-5 targets: 200 sets.
 pub const SEEDS: RangeInclusive<u64> = 700_000..=700_199;
+
+/// Seeds of a target in which nothing is drawn at random.
+pub const NO_SEEDS: RangeInclusive<u64> = RangeInclusive::new(1, 0);
 
 /// The presets of the minimum-cost path, each an arm; `reflex` is the control.
 pub const PRESETS: &[Arm] = &[
@@ -89,17 +112,28 @@ pub struct Target {
     /// How its words and figures were read, a sentence each.
     pub readings: &'static [&'static str],
     /// How its verdicts are found.
-    pub rule: &'static str,
+    pub rules: &'static [&'static str],
     /// Experiment that is run.
     pub experiment: &'static str,
     /// What is run, each over all seeds.
     pub arms: &'static [Arm],
-    /// Trials of a set; a set begins with an empty network unless the target carries one over.
+    /// What one seed gives.
+    pub unit: Unit,
+    /// Trials of a set, or of an episode.
     pub trials: u32,
-    /// Seeds, one a set.
+    /// Seeds, one a set or experiment; [`NO_SEEDS`] where nothing is drawn.
     pub seeds: RangeInclusive<u64>,
-    /// Runs the sets and says what is found in them.
+    /// Runs the arms and says what is found in them.
     pub find: fn(&Target, &Sets<'_>) -> Result<Findings, ReproductionError>,
+}
+
+/// What one seed gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// A set of trials, begun with an empty network unless the target carries one over.
+    Set,
+    /// An experiment of ten episodes, as behind every point of figures 4.10-4.12.
+    Experiment,
 }
 
 /// One of the learners, or one of the worlds, that a target compares.
@@ -165,14 +199,46 @@ pub fn known_targets() -> String {
     names.join(", ")
 }
 
+impl Unit {
+    /// Its name, one of it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Set => "set",
+            Self::Experiment => "experiment",
+        }
+    }
+}
+
 impl Target {
-    /// Sets of trials for each arm.
+    /// Sets or experiments for each arm; none where nothing is drawn.
     #[must_use]
     pub fn sets(&self) -> u32 {
         u32::try_from(self.seeds.clone().count()).unwrap_or(u32::MAX)
     }
 
-    /// Sets of all arms.
+    /// What is run for each arm, for people: `200 sets of 20 trials an arm, seeds 700000..700199`.
+    #[must_use]
+    pub fn extent(&self) -> String {
+        let (name, trials) = (self.unit.name(), self.trials);
+        let (first, last) = (self.seeds.start(), self.seeds.end());
+        let inside = match self.unit {
+            Unit::Set => format!("{trials} trials"),
+            Unit::Experiment => format!("{EPISODES} episodes of {trials} trials"),
+        };
+        match self.sets() {
+            0 => "computed exactly, nothing is drawn at random".to_owned(),
+            sets => format!("{sets} {name}s of {inside} an arm, seeds {first}..{last}"),
+        }
+    }
+
+    /// How its verdicts are found, for people.
+    #[must_use]
+    pub fn rule(&self) -> String {
+        self.rules.join(". ")
+    }
+
+    /// Sets or experiments of all arms.
     #[must_use]
     pub fn work(&self) -> u32 {
         self.sets() * u32::try_from(self.arms.len()).unwrap_or(u32::MAX)
@@ -190,15 +256,17 @@ impl Target {
             experiment: self.experiment.into(),
             arms: self.arms.iter().map(Arm::info).collect(),
             trials: self.trials,
+            unit: self.unit.name().into(),
             sets: self.sets(),
-            first_seed: *self.seeds.start(),
-            last_seed: *self.seeds.end(),
-            rule: self.rule.into(),
+            first_seed: self.seeds.clone().next(),
+            last_seed: self.seeds.clone().next_back(),
+            extent: self.extent(),
+            rule: self.rule(),
             command: format!("sonarium reproduce {}", self.name),
         }
     }
 
-    /// Runs every set on `threads` threads, saying `done` after each, and judges the outcome. The result
+    /// Runs everything on `threads` threads, saying `done` after each set or experiment, and judges the outcome. The result
     /// depends neither on the threads nor on their order, on what is kept, nor on worlds of the user's.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 
 use sonarium_core::stats::{Bound, Estimate};
 
-use super::{Row, Sample, Set};
+use super::{Origin, Row, Sample, Set};
 use crate::wire::{ReproductionRow, Trial, Yardstick};
 use crate::yardstick;
 
@@ -11,7 +11,7 @@ const LAST: usize = 5;
 
 /// A row of an arm with the bound it has to keep.
 pub(super) fn row(
-    sample: &Sample,
+    origin: &dyn Origin,
     (name, unit): (&str, &str),
     ours: Option<Estimate>,
     bound: Option<Bound>,
@@ -19,7 +19,7 @@ pub(super) fn row(
 ) -> Option<ReproductionRow> {
     let row = Row { name, published: None, unit, reading };
     let ours = ours?;
-    let found = row.of(sample, Some(ours))?;
+    let found = row.of(origin, Some(ours))?;
     let Some(bound) = bound else { return Some(found) };
     Some(ReproductionRow {
         required: Some(words(bound)),

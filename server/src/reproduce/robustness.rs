@@ -4,7 +4,7 @@ use sonarium_core::stats::{Bound, Estimate};
 
 use super::office;
 use super::required::{excess_pct, row, success_pct, yardstick_of};
-use super::{Arm, Findings, ReproductionError, SEEDS, Sample, Sets, Target, curve};
+use super::{Arm, Findings, ReproductionError, SEEDS, Sample, Sets, Target, Unit, curve};
 use crate::catalog::{DEFAULT_TRIALS, MINIMUM_COST_PATH};
 use crate::wire::{ReproductionRow, Yardstick};
 
@@ -24,9 +24,10 @@ pub static ROBUSTNESS: Target = Target {
         "The pairs in a real office are there when SONARIUM_OFFICE_MAP names the YAML file of the Willow \
          Garage map of 0.10 m a cell, which is not part of the program",
     ],
-    rule: Bound::RULE,
+    rules: &[Bound::RULE],
     experiment: MINIMUM_COST_PATH,
     arms: ARMS,
+    unit: Unit::Set,
     trials: DEFAULT_TRIALS,
     seeds: SEEDS,
     find,

@@ -1,17 +1,19 @@
-//! The sets of trials of an arm, one a seed, run once for all targets that look at them.
+//! What runs the arms of a target, one set a seed; and sets of trials, run once for all targets that look
+//! at them.
 
+use std::any::Any;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use sonarium_core::stats::Estimate;
 
-use super::{Arm, ReproductionError, Target};
+use super::{Arm, Origin, ReproductionError, Target};
 use crate::batch;
 use crate::catalog::{Catalog, FieldError, Plan};
 use crate::session::Run;
 use crate::wire::{AlteredStartView, NewSession, StartView, Trial};
 
-/// What runs sets of trials for a target.
+/// What runs the arms of a target: sets of trials, or with [`Sets::each`] whatever else a seed gives.
 #[derive(Clone, Copy)]
 pub struct Sets<'a> {
     /// What came with the program.
@@ -26,7 +28,7 @@ pub struct Sets<'a> {
 
 /// Samples that several targets look at, by what was run.
 #[derive(Debug, Default)]
-pub struct Kept(Mutex<BTreeMap<String, Arc<Sample>>>);
+pub struct Kept(Mutex<BTreeMap<String, Arc<dyn Any + Send + Sync>>>);
 
 /// All sets of one arm.
 #[derive(Clone, Debug)]
@@ -77,13 +79,27 @@ impl Sets<'_> {
     ) -> Result<Arc<Sample>, ReproductionError> {
         let Target { experiment, trials, seeds, .. } = target;
         let key = format!("{experiment} {arm:?} {trials} {seeds:?} {starts:?}");
-        if let Some(sample) = self.kept.get(&key) {
-            sample.sets.iter().for_each(|_| (self.done)());
-            return Ok(sample);
+        self.once(target, key, || self.run_from(target, arm, starts))
+    }
+
+    /// What an arm gives, from what is kept under this key or run now, and kept for the next target that
+    /// asks for it. What is kept counts as run.
+    ///
+    /// # Errors
+    /// When it has to be run and fails.
+    pub fn once<Given: Any + Send + Sync>(
+        &self,
+        target: &Target,
+        key: String,
+        run: impl FnOnce() -> Result<Given, ReproductionError>,
+    ) -> Result<Arc<Given>, ReproductionError> {
+        if let Some(given) = self.kept.get(&key) {
+            (0..target.sets()).for_each(|_| (self.done)());
+            return Ok(given);
         }
-        let sample = Arc::new(self.run_from(target, arm, starts)?);
-        self.kept.put(key, sample.clone());
-        Ok(sample)
+        let given = Arc::new(run()?);
+        self.kept.put(key, given.clone());
+        Ok(given)
     }
 
     /// The sets of an arm, run now and kept by nobody else.
@@ -154,12 +170,13 @@ impl Sets<'_> {
 }
 
 impl Kept {
-    fn get(&self, key: &str) -> Option<Arc<Sample>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).get(key).cloned()
+    fn get<Given: Any + Send + Sync>(&self, key: &str) -> Option<Arc<Given>> {
+        let kept = self.0.lock().unwrap_or_else(PoisonError::into_inner).get(key).cloned();
+        kept?.downcast().ok()
     }
 
-    fn put(&self, key: String, sample: Arc<Sample>) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(key, sample);
+    fn put(&self, key: String, given: Arc<dyn Any + Send + Sync>) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(key, given);
     }
 }
 
@@ -203,6 +220,17 @@ impl Set {
     #[must_use]
     pub fn last(&self) -> Option<&Trial> {
         self.trials.last()
+    }
+}
+
+impl Origin for Sample {
+    fn arm(&self) -> &str {
+        self.arm.name
+    }
+
+    fn words(&self) -> String {
+        let [first, last] = self.seeds;
+        format!("{}, seeds {first}..{last}", self.arm.words())
     }
 }
 

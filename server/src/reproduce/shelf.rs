@@ -133,7 +133,7 @@ impl Place {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{ReproductionError, SEEDS, Sets};
+    use super::super::{ReproductionError, SEEDS, Sets, Unit};
     use super::*;
     use crate::catalog::MINIMUM_COST_PATH;
 
@@ -152,9 +152,10 @@ mod tests {
         compares: "",
         source: "",
         readings: &[],
-        rule: "",
+        rules: &[],
         experiment: MINIMUM_COST_PATH,
         arms: &[],
+        unit: Unit::Set,
         trials: 1,
         seeds: SEEDS,
         find: fails,

@@ -2,7 +2,9 @@
 
 use sonarium_core::stats::Estimate;
 
-use super::{Findings, PRESETS, PUBLISHED, ReproductionError, Row, SEEDS, Sample, Sets, Target};
+use super::{
+    Findings, PRESETS, PUBLISHED, ReproductionError, Row, SEEDS, Sample, Sets, Target, Unit,
+};
 use crate::catalog::{DEFAULT_TRIALS, MINIMUM_COST_PATH};
 use crate::wire::{ReproductionRow, Trial};
 
@@ -20,9 +22,10 @@ pub static TABLE_5_1: Target = Target {
         "A last trial that does not reach the goal counts with the full cap of steps and with what \
          it had earned until then",
     ],
-    rule: PUBLISHED,
+    rules: &[PUBLISHED],
     experiment: MINIMUM_COST_PATH,
     arms: PRESETS,
+    unit: Unit::Set,
     trials: DEFAULT_TRIALS,
     seeds: SEEDS,
     find,

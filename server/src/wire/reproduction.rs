@@ -24,14 +24,18 @@ pub struct ReproductionTarget {
     pub experiment: String,
     /// What is run, side by side.
     pub arms: Vec<ReproductionArm>,
-    /// Trials of a set.
+    /// What one seed gives: `set` (of trials) or `experiment` (of ten episodes of trials).
+    pub unit: String,
+    /// Trials of a set, or of an episode.
     pub trials: u32,
-    /// Sets of trials run for each arm.
+    /// Sets or experiments for each arm; 0 where nothing is drawn at random.
     pub sets: u32,
-    /// First seed; the sets take one each, upwards.
-    pub first_seed: u64,
+    /// First seed; the sets take one each, upwards; none where nothing is drawn.
+    pub first_seed: Option<u64>,
     /// Last seed.
-    pub last_seed: u64,
+    pub last_seed: Option<u64>,
+    /// What is run for each arm, e.g. `200 sets of 20 trials an arm, seeds 700000..700199`.
+    pub extent: String,
     /// How the verdicts are found.
     pub rule: String,
     /// The command that computes the same.
@@ -56,9 +60,9 @@ pub struct ReproductionProgress {
     pub target: String,
     /// Where it stands.
     pub state: ReproductionState,
-    /// Sets done.
+    /// Sets or experiments done.
     pub done: u32,
-    /// Sets to do.
+    /// Sets or experiments to do.
     pub of: u32,
     /// Why it failed.
     pub reason: Option<String>,
@@ -166,7 +170,7 @@ pub struct ReproductionRow {
     pub low: f64,
     /// Upper end of our 95 % interval.
     pub high: f64,
-    /// Sample size behind ours.
+    /// Sample size behind ours; 0 for what was computed exactly, without a sample.
     pub n: u32,
     /// Unit; empty for a pure number.
     pub unit: String,

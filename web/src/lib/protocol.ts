@@ -1733,14 +1733,18 @@ readings: Array<string>,
 experiment: string,
 /** What is run, side by side. */
 arms: Array<ReproductionArm>,
-/** Trials of a set. */
+/** What one seed gives: `set` (of trials) or `experiment` (of ten episodes of trials). */
+unit: string,
+/** Trials of a set, or of an episode. */
 trials: number,
-/** Sets of trials run for each arm. */
+/** Sets or experiments for each arm; 0 where nothing is drawn at random. */
 sets: number,
-/** First seed; the sets take one each, upwards. */
-first_seed: number,
+/** First seed; the sets take one each, upwards; none where nothing is drawn. */
+first_seed: number | null,
 /** Last seed. */
-last_seed: number,
+last_seed: number | null,
+/** What is run for each arm, e.g. `200 sets of 20 trials an arm, seeds 700000..700199`. */
+extent: string,
 /** How the verdicts are found. */
 rule: string,
 /** The command that computes the same. */
@@ -1759,9 +1763,9 @@ export type ReproductionProgress = {
 target: string,
 /** Where it stands. */
 state: ReproductionState,
-/** Sets done. */
+/** Sets or experiments done. */
 done: number,
-/** Sets to do. */
+/** Sets or experiments to do. */
 of: number,
 /** Why it failed. */
 reason: string | null, };
@@ -1797,7 +1801,7 @@ ours: number,
 low: number,
 /** Upper end of our 95 % interval. */
 high: number,
-/** Sample size behind ours. */
+/** Sample size behind ours; 0 for what was computed exactly, without a sample. */
 n: number,
 /** Unit; empty for a pure number. */
 unit: string,

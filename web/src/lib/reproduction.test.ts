@@ -52,6 +52,9 @@ test('rows stand with their arm, in the order they came', () => {
 test('a reading loses what stands above the table and nothing else', () => {
   expect(plainReading(row('a').reading)).toBe('a reading: with a colon');
   expect(plainReading('of the whole: nothing')).toBe('of the whole: nothing');
+  // What a bias was read as does not stand above the table.
+  const bias = 'B2, {right right} left out, seeds 1..2: Eq. (4.13)';
+  expect(plainReading(bias)).toBe(bias);
 });
 
 test('verdicts are counted', () => {
@@ -81,7 +84,7 @@ test('a curve is said with its intervals, and gaps are left out', () => {
     ],
   };
   expect(spoken(curve)).toBe(
-    'default: from 39.50 [39.25, 39.75] in trial 2 to 27.50 [27.25, 27.75] in trial 3',
+    'default: from 39.50 [39.25, 39.75] at trial 2 to 27.50 [27.25, 27.75] at trial 3',
   );
   expect(spoken({ ...curve, points: [point(1)] })).toBe('default: no value');
   expect(mean(point(1, { mean: 3 }))).toBe('3.00');

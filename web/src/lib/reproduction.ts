@@ -1,6 +1,6 @@
 /** Reproductions: rows and curves as the page shows them. */
 
-import { number } from './format';
+import { brief, number } from './format';
 import type {
   ExperimentInfo,
   ReproductionArm,
@@ -40,9 +40,9 @@ export function armOf(name: string): string {
 export const quantityOf = (name: string) =>
   name.slice(name.indexOf(': ') < 0 ? 0 : name.indexOf(': ') + 2);
 
-/** A reading without the arm and seeds it begins with; they stand above the table. */
+/** A reading without the preset and seeds it begins with; they stand above the table. */
 export function plainReading(reading: string): string {
-  return reading.replace(/^[^:]*seeds \d+\.\.\d+: /, '');
+  return reading.replace(/^Preset [^:]*seeds \d+\.\.\d+: /, '');
 }
 
 /** How many rows came out so. */
@@ -69,8 +69,7 @@ export function spoken(curve: ReproductionCurve): string {
   const known = curve.points.filter((point) => point.mean !== null);
   const [first, last] = [known[0], known[known.length - 1]];
   if (!first || !last) return `${curve.arm}: no value`;
-  const say = (point: ReproductionPoint) =>
-    `${mean(point)} in ${curve.x_name} ${number(point.x, 0)}`;
+  const say = (point: ReproductionPoint) => `${mean(point)} at ${curve.x_name} ${brief(point.x)}`;
   const course = first === last ? say(first) : `from ${say(first)} to ${say(last)}`;
   return `${curve.arm}: ${course}`;
 }

@@ -7,6 +7,7 @@ mod nn;
 mod room;
 mod server;
 mod sonar;
+mod tabular;
 
 use clap::Args;
 use serde::Serialize;
@@ -15,13 +16,14 @@ use super::{Failure, output};
 use crate::render;
 
 /// What can be measured.
-const TASKS: [&str; 8] = ["run", "run-log", "office", "sonar", "nn", "render", "live", "memory"];
+const TASKS: [&str; 10] =
+    ["run", "run-log", "office", "maze", "dyna", "sonar", "nn", "render", "live", "memory"];
 
 #[derive(Args, Debug)]
 pub(super) struct Arguments {
     /// What to measure: run (control steps, and the CPU time of a set of 20 trials), run-log (with
-    /// the log), office (a step among thousands of walls), sonar (a robot with 24 sonars in a room of
-    /// 30 walls), nn (the nearest of up to 10,000 centres), render, live, memory or all
+    /// the log), office (a step among thousands of walls), maze (Q-learning with softmax in 16 states),
+    /// dyna (backups with 50 planning steps), sonar (a robot with 24 sonars in a room of 30 walls), nn (the nearest of up to 10,000 centres), render, live, memory or all
     task: String,
     /// Results are always one JSON object a line; taken so that every command takes it
     #[arg(long)]
@@ -64,6 +66,8 @@ fn measure(task: &'static str) -> Result<Vec<Line>, Failure> {
         "run" => headless::run(),
         "run-log" => headless::run_with_log(),
         "office" => headless::office(),
+        "maze" => tabular::maze(),
+        "dyna" => tabular::dyna(),
         "sonar" => sonar::run(),
         "nn" => nn::run(),
         "live" => server::live(),

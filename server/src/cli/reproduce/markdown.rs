@@ -1,6 +1,6 @@
 //! A result as Markdown, for documents that hold the table with the command that made it.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use super::text::cells;
 use crate::reproduce::Target;
@@ -10,14 +10,7 @@ use crate::wire::{Reproduction, ReproductionRow};
 pub(super) fn document(target: &Target, result: &Reproduction) -> String {
     let mut text = format!("### {}: {}\n\n", target.name, target.title);
     text += &format!("{} ({}). ", target.compares, target.source);
-    text += &format!(
-        "{} sets an arm, {} trials a set, seeds {}..{}: `sonarium reproduce {}`.\n\n",
-        target.sets(),
-        target.trials,
-        target.seeds.start(),
-        target.seeds.end(),
-        target.name
-    );
+    text += &format!("{}: `sonarium reproduce {}`.\n\n", capital(&target.extent()), target.name);
     let published = result.rows.iter().any(|row| row.published.is_some());
     let held_against = if published { "published" } else { "required" };
     text += &format!("| | {held_against} | ours | 95 % interval | n | verdict |\n");
@@ -25,7 +18,7 @@ pub(super) fn document(target: &Target, result: &Reproduction) -> String {
     for row in &result.rows {
         text += &format!("| {} |\n", cells(row).map(|cell| escaped(&cell)).join(" | "));
     }
-    text += &format!("\n{}.\n", target.rule);
+    text += &format!("\n{}.\n", target.rule());
     let readings = readings(target, &result.rows);
     if !readings.is_empty() {
         text += &format!("\nReadings:\n\n{}", readings.join(""));
@@ -33,19 +26,32 @@ pub(super) fn document(target: &Target, result: &Reproduction) -> String {
     text
 }
 
-/// Those of the target, then one a quantity, whatever the arm.
+/// Those of the target, then one a quantity, whatever the arm; quantities that are read alike share theirs.
 fn readings(target: &Target, rows: &[ReproductionRow]) -> Vec<String> {
-    let mut lines: Vec<String> =
-        target.readings.iter().map(|reading| format!("- {}.\n", escaped(reading))).collect();
-    let mut seen = BTreeMap::new();
+    let mut seen = BTreeSet::new();
+    let mut groups: Vec<(Vec<String>, &str)> = Vec::new();
     for row in rows {
         let (_, quantity) = row.name.split_once(": ").unwrap_or(("", &row.name));
         let (_, reading) = row.reading.split_once(": ").unwrap_or(("", &row.reading));
-        if seen.insert(quantity.to_owned(), ()).is_none() {
-            lines.push(format!("- *{}*: {}.\n", escaped(quantity), escaped(reading)));
+        if !seen.insert(quantity) {
+            continue;
+        }
+        let quantity = format!("*{}*", escaped(quantity));
+        match groups.iter_mut().find(|(_, known)| *known == reading) {
+            Some((quantities, _)) => quantities.push(quantity),
+            None => groups.push((vec![quantity], reading)),
         }
     }
-    lines
+    let of_target = target.readings.iter().map(|reading| format!("- {}.\n", escaped(reading)));
+    let of_rows = groups.iter().map(|(quantities, reading)| {
+        format!("- {}: {}.\n", quantities.join(", "), escaped(reading))
+    });
+    of_target.chain(of_rows).collect()
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
 fn escaped(text: &str) -> String {
@@ -58,6 +64,17 @@ mod tests {
     use super::*;
     use crate::reproduce::TABLE_5_1;
     use crate::wire::Verdict;
+
+    #[test]
+    fn quantities_that_are_read_alike_share_a_line() {
+        let alike =
+            |name| ReproductionRow { reading: "arm: alike".into(), ..row(name, Verdict::Agrees) };
+        let rows =
+            [alike("a: one"), alike("b: one"), alike("a: two"), row("a: three", Verdict::Agrees)];
+        let lines = readings(&Target { readings: &[], ..TABLE_5_1.clone() }, &rows);
+        assert_eq!(lines[0], "- *one*, *two*: alike.\n");
+        assert_eq!(lines.len(), 2, "{lines:?}");
+    }
 
     #[test]
     fn every_line_of_the_table_has_six_cells() {

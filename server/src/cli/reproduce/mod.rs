@@ -34,7 +34,8 @@ pub(super) fn reproduce(arguments: &Arguments) -> Result<(), Failure> {
     let folder = arguments.out.as_deref().map(folder::Folder::new).transpose()?;
     let kept = Kept::default();
     for target in targets {
-        let progress = output::progress(u64::from(target.work()), "sets");
+        let progress =
+            output::progress(u64::from(target.work()), &format!("{}s", target.unit.name()));
         let findings = target.run(cores(), &kept, &|| progress.inc(1));
         progress.finish_and_clear();
         let findings = findings?;

@@ -12,21 +12,18 @@ pub(super) fn table(target: &Target, result: &Reproduction) -> String {
     for row in &rows {
         text += &line(row, width);
     }
-    text + &format!("\n{}.\n{}", target.rule, conclusion(&result.rows))
+    text + &format!("\n{}.\n{}", target.rule(), conclusion(&result.rows))
 }
 
 /// What was done.
 pub(super) fn head_lines(target: &Target) -> String {
     format!(
-        "{}: {} ({})\n{}.\n{} sets an arm, {} trials a set, seeds {}..{}, build {}",
+        "{}: {} ({})\n{}.\n{}; build {}",
         target.name,
         target.title,
         target.source,
         target.compares,
-        target.sets(),
-        target.trials,
-        target.seeds.start(),
-        target.seeds.end(),
+        target.extent(),
         crate::build()
     )
 }
@@ -38,10 +35,18 @@ pub(super) fn cells(row: &ReproductionRow) -> [String; 6] {
         format!("{}{unit}", row.name),
         published(row),
         format!("{:.2}", row.ours),
-        format!("{:.2} to {:.2}", row.low, row.high),
-        row.n.to_string(),
+        interval(row),
+        sample(row),
         row.verdict.word().to_owned(),
     ]
+}
+
+fn interval(row: &ReproductionRow) -> String {
+    if row.n == 0 { "exact".to_owned() } else { format!("{:.2} to {:.2}", row.low, row.high) }
+}
+
+fn sample(row: &ReproductionRow) -> String {
+    if row.n == 0 { "-".to_owned() } else { row.n.to_string() }
 }
 
 /// What is published, or required where nothing is.
@@ -83,6 +88,13 @@ mod tests {
         let rows =
             [row("a", Verdict::Agrees), row("b", Verdict::Differs), row("c", Verdict::Differs)];
         assert_eq!(conclusion(&rows), "Does not agree: b; c\nCannot be told: nothing\nAgrees: a");
+    }
+
+    #[test]
+    fn what_is_exact_has_neither_interval_nor_sample() {
+        let exact = ReproductionRow { n: 0, ..row("pairs", Verdict::Agrees) };
+        assert_eq!(cells(&exact)[3..5], ["exact", "-"]);
+        assert_eq!(cells(&row("pairs", Verdict::Agrees))[3..5], ["1.00 to 3.00", "200"]);
     }
 
     #[test]
