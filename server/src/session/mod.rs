@@ -35,6 +35,8 @@ mod table_view;
 mod view;
 
 #[cfg(test)]
+mod drive_tests;
+#[cfg(test)]
 mod network_tests;
 #[cfg(test)]
 mod table_tests;

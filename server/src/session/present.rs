@@ -39,6 +39,8 @@ pub struct TablePresent {
     pub step: Option<Arc<StepView>>,
     /// The tables, once there are some.
     pub table: Option<Arc<TableView>>,
+    /// Counts how often the tables were looked at: an operator may change them between two steps.
+    pub revision: u64,
     /// How the competitors stand.
     pub scores: Arc<ScoresView>,
 }
@@ -125,6 +127,7 @@ impl Present {
             (Self::Path(path), Machine::Path(run)) => path.neurons = Arc::new(run.neurons()),
             (Self::Table(table), Machine::Table(run)) => {
                 table.table = Some(Arc::new(run.table(table.step.as_deref())));
+                table.revision += 1;
             }
             _ => {}
         }

@@ -31,7 +31,7 @@ fn episodes(house: &House, id: &str) -> Vec<EpisodeView> {
     let rounds = house.lab().store().rounds(id).expect("readable").into_iter();
     let episode = |round| match round {
         Round::Episode(episode) => *episode,
-        Round::Trial(_) => panic!("a trial in a tabular session"),
+        Round::Trial(_) | Round::Run(_) => panic!("no episode in a tabular session"),
     };
     rounds.map(episode).collect()
 }

@@ -209,19 +209,21 @@ impl Connection {
         let tick = snapshot.present.step();
         let wishes = &self.subscription;
         let of_path = [
-            (&self.tick, wishes.tick),
-            (&self.depths, wishes.depths),
-            (&self.neurons, wishes.neurons),
+            (&self.tick, wishes.tick, tick),
+            (&self.depths, wishes.depths, tick),
+            (&self.neurons, wishes.neurons, tick),
         ];
-        let of_table = [(&self.step, wishes.step), (&self.table, wishes.table)];
-        let of_drive = [(&self.cycles, wishes.cycles)];
+        let revision = snapshot.present.table().map(|table| table.revision);
+        let of_table = [(&self.step, wishes.step, tick), (&self.table, wishes.table, revision)];
+        let of_drive = [(&self.cycles, wishes.cycles, tick)];
         let samples = match &snapshot.present {
             Present::Path(_) => &of_path[..],
             Present::Table(_) => &of_table[..],
             Present::Drive(_) => &of_drive[..],
         };
-        let samples = samples.iter().filter(|(schedule, rate_hz)| schedule.wants(tick, *rate_hz));
-        let samples = samples.map(|(schedule, _)| schedule.due);
+        let samples =
+            samples.iter().filter(|(schedule, rate_hz, of)| schedule.wants(*of, *rate_hz));
+        let samples = samples.map(|(schedule, ..)| schedule.due);
         let arena = self.arena.as_ref().and_then(|arena| arena.next_due(self.feed.version()));
         samples.chain(arena).min()
     }
@@ -231,11 +233,11 @@ impl Connection {
         let snapshot = self.feed.snapshot();
         let (seq, wishes) = (self.seen, self.subscription.clone());
         let messages = match (&snapshot.present, snapshot.present.step()) {
+            (Present::Table(table), tick) => {
+                self.table_samples((seq, tick.unwrap_or(0)), table, &wishes, now)
+            }
             (_, None) => Vec::new(),
             (Present::Path(path), Some(tick)) => self.path_samples((seq, tick), path, &wishes, now),
-            (Present::Table(table), Some(tick)) => {
-                self.table_samples((seq, tick), table, &wishes, now)
-            }
             (Present::Drive(drive), Some(tick)) => {
                 self.drive_samples((seq, tick), drive, &wishes, now)
             }
@@ -287,7 +289,7 @@ impl Connection {
             messages.push(ServerMessage::Step { seq, step: step.clone() });
         }
         if let Some(table) = present.table.as_deref()
-            && self.table.take(number, wishes.table, now)
+            && self.table.take(present.revision, wishes.table, now)
         {
             messages.push(ServerMessage::Table { seq, tick: number, table: table.clone() });
         }

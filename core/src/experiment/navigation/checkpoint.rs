@@ -11,7 +11,8 @@ use crate::settings::{Field, Value};
 pub struct NavigationCheckpoint {
     runs: u32,
     ticks: u64,
-    method: Value,
+    /// The method's name: a tagged choice would not survive every format.
+    method: String,
     silent: Vec<bool>,
 }
 
@@ -49,7 +50,7 @@ impl Progress {
 
     pub(super) fn checkpoint(&self) -> NavigationCheckpoint {
         let Self { runs, ticks, method, silent } = self.clone();
-        NavigationCheckpoint { runs, ticks, method: method.to_value(), silent }
+        NavigationCheckpoint { runs, ticks, method: method.to_value().to_string(), silent }
     }
 
     /// What a checkpoint says, for a robot with as many sonars as this one.
@@ -58,7 +59,8 @@ impl Progress {
         checkpoint: &NavigationCheckpoint,
     ) -> Result<Self, NavigationError> {
         let NavigationCheckpoint { runs, ticks, method, silent } = checkpoint.clone();
-        let method = Method::from_value(&method).ok_or(NavigationError::Checkpoint)?;
+        let method =
+            Method::from_value(&Value::Choice(method)).ok_or(NavigationError::Checkpoint)?;
         if silent.len() != self.silent.len() {
             return Err(NavigationError::Checkpoint);
         }

@@ -1,0 +1,192 @@
+//! Sessions of chapter 2: the same runs at any pace, resumed or not, and what an operator does to them.
+
+use axum::http::StatusCode;
+use serde_json::{Value as Json, json};
+
+use super::Control;
+use crate::batch;
+use crate::catalog::{Catalog, Job};
+use crate::testing::{House, MAX, SLOW};
+use crate::wire::{DriveOutcome, DriveRunView, NewSession, Round, Speed, State, StepUnit};
+
+use Control::{Resume, Start, Stop};
+const CYCLE: Control = Control::Step(StepUnit::Tick);
+const RUN: Control = Control::Step(StepUnit::Trial);
+
+fn request(experiment: &str, runs: u32, settings: Json, speed: Speed) -> NewSession {
+    let body =
+        json!({ "experiment": experiment, "seed": 300, "trials": runs, "settings": settings });
+    NewSession { speed: Some(speed), ..serde_json::from_value(body).expect("a request") }
+}
+
+/// A short corridor with one door and two people.
+fn corridor() -> Json {
+    json!({ "corridor.length": 12, "corridor.doors": 1, "people.count": 2, "compare": true })
+}
+
+/// The runs that nothing disturbed.
+fn undisturbed(request: &NewSession) -> Vec<DriveRunView> {
+    let catalog = Catalog::load(None).expect("the embedded files");
+    match catalog.job(request).expect("a good request") {
+        Job::Plain(plan) => batch::drive(&plan, || {}).expect("good settings").episodes,
+        Job::Path(_) => panic!("{} is not of chapter 2", request.experiment),
+    }
+}
+
+fn runs(house: &House, id: &str) -> Vec<DriveRunView> {
+    let rounds = house.lab().store().rounds(id).expect("readable").into_iter();
+    let run = |round| match round {
+        Round::Run(run) => *run,
+        Round::Trial(_) | Round::Episode(_) => panic!("no run in a session of chapter 2"),
+    };
+    rounds.map(run).collect()
+}
+
+#[tokio::test]
+async fn every_experiment_of_chapter_2_runs_live_as_headless() {
+    let house = House::new();
+    for (experiment, settings, rounds) in [
+        ("wall-approach", json!({}), 2),
+        ("block-world", json!({ "trial.time_limit": 20 }), 2),
+        ("corridor", corridor(), 4),
+    ] {
+        let request = request(experiment, 2, settings, MAX);
+        let id = house.lab().create(&request).expect("a good request").id;
+        house.control(&id, Start).await;
+        let session = house.until_state(&id, State::Finished).await;
+        assert_eq!((session.rounds, session.rounds_done), (rounds, rounds), "{experiment}");
+        let expected = undisturbed(&request);
+        assert_eq!(runs(&house, &id), expected, "{experiment}");
+        let last = expected.last().expect("a run").last_tick;
+        let cycles = house.lab().store().cycles(&id, 1, u64::MAX).expect("readable");
+        let numbers: Vec<u64> = cycles.iter().map(|cycle| cycle.tick).collect();
+        assert_eq!(numbers, (1..=last).collect::<Vec<_>>(), "{experiment}: each cycle once");
+    }
+}
+
+#[tokio::test]
+async fn pausing_stopping_and_restarting_change_no_bit_of_a_driven_run() {
+    let house = House::new();
+    let request = request("corridor", 4, corridor(), MAX);
+    let id = house.lab().create(&request).expect("a good request").id;
+    house.control(&id, RUN).await;
+    house.until(&id, |s| s.state == State::Paused && s.rounds_done == 1).await;
+    for _ in 0..5 {
+        house.control(&id, CYCLE).await;
+    }
+    house.control(&id, Stop).await;
+    house.control(&id, Control::Speed(Speed::TicksPerSecond(400.0))).await;
+    house.control(&id, Resume).await;
+    house.until(&id, |s| s.rounds_done >= 2).await;
+
+    let house = house.restart().await;
+    house.control(&id, Control::Speed(MAX)).await;
+    house.control(&id, Resume).await;
+    house.until_state(&id, State::Finished).await;
+    assert_eq!(runs(&house, &id), undisturbed(&request));
+    let summary = house.lab().feed(&id).expect("a feed").hello().summary.expect("a summary");
+    let methods: Vec<(&str, u32)> =
+        summary.methods.iter().map(|of| (of.method.as_str(), of.n)).collect();
+    assert_eq!(methods, [("minimum", 4), ("median-kalman", 4)], "also of runs before the restart");
+}
+
+#[tokio::test]
+async fn a_method_holds_until_its_run_ends_and_is_told() {
+    let house = House::new();
+    let settings = json!({ "corridor.length": 12, "corridor.doors": 1, "people.count": 0 });
+    let request = request("corridor", 2, settings, MAX);
+    let id = house.lab().create(&request).expect("a good request").id;
+    let path = |rest: &str| format!("/api/v1/sessions/{id}/{rest}");
+    let early = house.post(&path("method"), json!({ "method": "minimum" })).await;
+    assert_eq!(early.status, StatusCode::CONFLICT, "nothing is under way");
+    house.control(&id, CYCLE).await;
+    for (rest, body, field) in [
+        ("method", json!({ "method": "mean" }), "method"),
+        ("sonars", json!({ "sonar": 10, "silent": true }), "sonar"),
+        ("advice", json!({ "text": "if goal is near then forward" }), "experiment"),
+    ] {
+        let refused = house.post(&path(rest), body).await;
+        assert_eq!(refused.status, StatusCode::UNPROCESSABLE_ENTITY, "{rest}");
+        assert_eq!(refused.json()["field"], field);
+    }
+    let given = house.post(&path("method"), json!({ "method": "minimum" })).await;
+    assert_eq!(given.status, StatusCode::OK);
+    house.control(&id, Resume).await;
+    house.until_state(&id, State::Finished).await;
+    let found = runs(&house, &id);
+    let methods: Vec<&str> = found.iter().map(|run| run.method.as_str()).collect();
+    assert_eq!(methods, ["minimum", "median-kalman"]);
+    assert_eq!(found[0].interventions[0].kind, "method");
+    assert_eq!(found[1].outcome, undisturbed(&request)[1].outcome, "the next run is as it was");
+}
+
+#[tokio::test]
+async fn a_region_without_a_sonar_that_answers_stops_the_robot() {
+    let house = House::new();
+    let request = request("corridor", 1, json!({ "people.count": 0 }), MAX);
+    let id = house.lab().create(&request).expect("a good request").id;
+    house.control(&id, CYCLE).await;
+    // The sonars of the leftmost region.
+    for sonar in 0..3 {
+        let body = json!({ "sonar": sonar, "silent": true });
+        let answer = house.post(&format!("/api/v1/sessions/{id}/sonars"), body).await;
+        assert_eq!(answer.status, StatusCode::OK);
+    }
+    house.control(&id, Resume).await;
+    house.until_state(&id, State::Finished).await;
+    let found = runs(&house, &id);
+    let DriveOutcome::Drive(score) = &found[0].outcome else { panic!("a driven run") };
+    assert_eq!((score.blind, score.done), (Some(0), false));
+    let cycles = house.lab().store().cycles(&id, 1, u64::MAX).expect("readable");
+    let last = cycles.last().expect("a cycle");
+    assert!(last.speed_m_s.abs() < 1e-3, "{} m/s", last.speed_m_s);
+    assert_eq!((last.readings[0].echo.as_str(), last.regions[0].live), ("silent", 0));
+    assert!(last.regions[0].depths_m.is_empty());
+}
+
+#[tokio::test]
+async fn rules_and_reports_of_chapter_2_are_there() {
+    let house = House::new();
+    let rules = house.get("/api/v1/rules/navigator").await.json();
+    assert_eq!(rules["rules"].as_array().map(Vec::len), Some(972));
+    assert_eq!(rules["rules"][0]["when"][0], "safe");
+    assert_eq!(house.get("/api/v1/rules/pilot").await.status, StatusCode::NOT_FOUND);
+
+    let request = request("wall-approach", 2, json!({}), MAX);
+    let id = house.lab().create(&request).expect("a good request").id;
+    house.control(&id, Start).await;
+    house.until_state(&id, State::Finished).await;
+    let get = async |file: &str| house.get(&format!("/api/v1/sessions/{id}/{file}")).await;
+    let json = get("report.json").await.json();
+    assert_eq!(json["episodes"], serde_json::to_value(undisturbed(&request)).expect("JSON"));
+    let csv = String::from_utf8(get("report.csv").await.bytes.to_vec()).expect("text");
+    assert_eq!(csv.lines().count(), 1 + 2 * 5, "a row a run and method");
+    let html = String::from_utf8(get("report.html").await.bytes.to_vec()).expect("text");
+    for part in ["How well each method told the distance", "sonarium run wall-approach --seed 300"]
+    {
+        assert!(html.contains(part), "{part}");
+    }
+    assert_eq!(get("report.zip").await.status, StatusCode::OK);
+    let refused = house.get(&format!("/api/v1/sessions/{id}/arena.png")).await;
+    assert_eq!(refused.status, StatusCode::UNPROCESSABLE_ENTITY);
+}
+
+#[tokio::test]
+async fn settings_that_contradict_each_other_are_named() {
+    let house = House::new();
+    for (experiment, settings, field) in [
+        (
+            "wall-approach",
+            json!({ "approach.end": 2.0, "approach.start": 1.0 }),
+            "settings.approach.end",
+        ),
+        ("wall-approach", json!({ "hashing.regions": 11 }), "settings.hashing.regions"),
+        ("corridor", json!({ "fusion.window": 0 }), "settings.fusion.window"),
+        ("corridor", json!({ "fusion.method": "mean" }), "settings.fusion.method"),
+        ("corridor", json!({ "corridor.door_width": 3.0 }), "settings.corridor.door_width"),
+    ] {
+        let refused = house.lab().create(&request(experiment, 1, settings.clone(), SLOW));
+        let error = refused.expect_err("a refusal").to_string();
+        assert!(error.starts_with(field), "{experiment} {settings}: {error}");
+    }
+}
