@@ -12,6 +12,7 @@ import type {
   Reproduction,
   ReproductionProgress,
   ReproductionTarget,
+  RuleList,
   Session,
   Speed,
   StepUnit,
@@ -80,6 +81,17 @@ export const table = (id: string) => call<TableFile>('GET', `${path(id)}/table`)
 
 export const editTable = (id: string, change: TableRequest) =>
   call<Ack>('POST', `${path(id)}/table`, change);
+
+/** Changes the method that drives, from the next cycle to the end of the run. */
+export const setMethod = (id: string, method: string) =>
+  call<Ack>('POST', `${path(id)}/method`, { method });
+
+/** Silences a sonar, or lets it answer again. */
+export const setSonar = (id: string, sonar: number, silent: boolean) =>
+  call<Ack>('POST', `${path(id)}/sonars`, { sonar, silent });
+
+/** A rule base with all its rules. */
+export const rules = (name: string) => call<RuleList>('GET', `rules/${encodeURIComponent(name)}`);
 
 export const reproductions = () => call<ReproductionTarget[]>('GET', 'reproductions');
 /** Computes it, if nobody has; the answer may take minutes. */

@@ -2,10 +2,16 @@
 
 import * as api from './api';
 import { advance, FIRST, type Link, type LinkEvent } from './connection';
+import { addCycles, addRuns, runsOf } from './drive/history';
+import { extended, rejoined, type Trail } from './drive/trail';
 import { addEpisodes, addLog, addTrials, episodesOf, trialsOf } from './history';
 import type {
   ArenaRequest,
   ClientMessage,
+  CourseView,
+  CycleView,
+  DriveRunView,
+  DriveScores,
   EpisodeView,
   LogEntry,
   NeuronView,
@@ -29,6 +35,7 @@ import { withRegret } from './yardstick';
 const RATES = {
   path: { tick: 15, depths: 30, neurons: 4 },
   table: { step: 15, table: 6 },
+  drive: { cycles: 30 },
 };
 
 /** A session that is watched. */
@@ -54,6 +61,18 @@ export class LiveSession {
   scores = $state.raw<ScoresView | null>(null);
   /** Its newest episodes. */
   episodes = $state.raw<EpisodeView[]>([]);
+  /** Where the robot of chapter 2 drives. */
+  course = $state.raw<CourseView | null>(null);
+  /** Its newest cycles. */
+  cycles = $state.raw<CycleView[]>([]);
+  /** The present cycle. */
+  readonly cycle = $derived(this.cycles.at(-1) ?? null);
+  /** The path of the present run. */
+  trail = $state.raw<Trail | null>(null);
+  /** Its newest runs. */
+  runs = $state.raw<DriveRunView[]>([]);
+  /** How its methods stand. */
+  summary = $state.raw<DriveScores | null>(null);
   log = $state.raw<LogEntry[]>([]);
   link = $state.raw<Link>(FIRST);
   /** The session cannot be shown at all; status 404 when there is none. */
@@ -73,6 +92,10 @@ export class LiveSession {
   /** Episodes too, with the scores that each of them changes. */
   #shownEpisodes = new Throttle<EpisodeView[]>(250, (episodes) => (this.episodes = episodes));
   #shownScores = new Throttle<ScoresView | null>(250, (scores) => (this.scores = scores));
+  #runs: DriveRunView[] = [];
+  /** At full speed runs end as fast as trials do. */
+  #shownRuns = new Throttle<DriveRunView[]>(250, (runs) => (this.runs = runs));
+  #shownSummary = new Throttle<DriveScores | null>(250, (summary) => (this.summary = summary));
   #arena: ArenaRequest | null = null;
   #onpicture: (picture: Blob) => void = () => {};
 
@@ -102,6 +125,8 @@ export class LiveSession {
     this.#shownTrials.stop();
     this.#shownEpisodes.stop();
     this.#shownScores.stop();
+    this.#shownRuns.stop();
+    this.#shownSummary.stop();
     this.#socket?.close();
     this.#onpicture = () => {};
   }
@@ -136,6 +161,16 @@ export class LiveSession {
     return api.editTable(this.id, change);
   }
 
+  /** Changes the method that drives. */
+  setMethod(method: string) {
+    return api.setMethod(this.id, method);
+  }
+
+  /** Silences a sonar, or lets it answer again. */
+  setSonar(sonar: number, silent: boolean) {
+    return api.setSonar(this.id, sonar, silent);
+  }
+
   /** Changes the pace. */
   async setSpeed(speed: Session['speed']) {
     const ack = await api.setSpeed(this.id, speed);
@@ -167,7 +202,8 @@ export class LiveSession {
   }
 
   #wanted(): ClientMessage {
-    if (this.session?.family === 'table') return { type: 'subscribe', ...RATES.table };
+    const family = this.session?.family ?? 'path';
+    if (family !== 'path') return { type: 'subscribe', ...RATES[family] };
     const arena = this.#arena ?? { rate: 0, width: 64, height: 64, theme: 'light' };
     return { type: 'subscribe', ...RATES.path, arena };
   }
@@ -188,6 +224,10 @@ export class LiveSession {
         this.step = null;
         this.#shownScores.offer(message.scores);
         this.#setEpisodes(message.episodes);
+        this.course = message.course;
+        this.#setCycles(message.cycles);
+        this.#setRuns(message.runs);
+        this.#shownSummary.offer(message.summary);
         this.log = message.log;
         break;
       case 'state':
@@ -223,6 +263,16 @@ export class LiveSession {
       case 'scores':
         this.#shownScores.offer(message.scores);
         break;
+      case 'cycles':
+        this.cycles = addCycles(this.cycles, message.cycles);
+        this.trail = extended(this.trail, message.cycles);
+        break;
+      case 'run':
+        this.#setRuns(addRuns(this.#runs, message.runs));
+        break;
+      case 'summary':
+        this.#shownSummary.offer(message.summary);
+        break;
       case 'log':
         this.log = addLog(this.log, message.entries);
         break;
@@ -240,10 +290,13 @@ export class LiveSession {
     this.session = session;
     this.#setTrials(trialsOf(session, this.#trials));
     this.#setEpisodes(episodesOf(session, this.#episodes));
+    this.#setRuns(runsOf(session, this.#runs));
     if (session.tick > 0) return;
     this.step = null;
     this.table = null;
     this.#shownScores.offer(null);
+    this.#setCycles([]);
+    this.#shownSummary.offer(null);
     this.tick = null;
     this.sonar_m = [];
     this.neurons = [];
@@ -265,6 +318,18 @@ export class LiveSession {
     if (episodes === this.#episodes) return;
     this.#episodes = episodes;
     this.#shownEpisodes.offer(episodes);
+  }
+
+  /** The history anew; the path goes on where the page has seen it. */
+  #setCycles(cycles: CycleView[]): void {
+    this.cycles = cycles;
+    this.trail = cycles.length > 0 ? rejoined(this.trail, cycles) : null;
+  }
+
+  #setRuns(runs: DriveRunView[]): void {
+    if (runs === this.#runs) return;
+    this.#runs = runs;
+    this.#shownRuns.offer(runs);
   }
 
   #lost(): void {

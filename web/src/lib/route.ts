@@ -10,6 +10,7 @@ export type Route =
   | { page: 'new-world'; from: string }
   | { page: 'world'; name: string }
   | { page: 'lost-at-sea' }
+  | { page: 'rules'; name: string }
   | { page: 'unknown' };
 
 /** The page behind an address: path and query. */
@@ -29,6 +30,8 @@ export function routeOf(address: string): Route {
   if (target !== null) return { page: 'reproduction', target };
   if (/^\/lost-at-sea\/?$/.test(path)) return { page: 'lost-at-sea' };
   if (/^\/worlds\/?$/.test(path)) return { page: 'worlds' };
+  const rules = within(path, 'rules');
+  if (rules !== null) return { page: 'rules', name: rules };
   const name = within(path, 'worlds');
   if (name === 'new') return { page: 'new-world', from: asked.get('from') ?? '' };
   return name === null ? { page: 'unknown' } : { page: 'world', name };
@@ -48,6 +51,9 @@ export const sessionPath = (id: string) => `/sessions/${encodeURIComponent(id)}`
 
 /** Address of the page of a target. */
 export const reproductionPath = (target: string) => `/reproduce/${encodeURIComponent(target)}`;
+
+/** Address of the page of a rule base. */
+export const rulesPath = (name: string) => `/rules/${encodeURIComponent(name)}`;
 
 /** Address of a world's editor. */
 export const worldPath = (name: string) => `/worlds/${encodeURIComponent(name)}`;

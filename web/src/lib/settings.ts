@@ -124,6 +124,7 @@ export function saidBriefly(value: Value | undefined): string {
 /** What a session of this kind is given a number of; nothing where it has but one. */
 export function trialsLabel({ family, name }: Pick<ExperimentInfo, 'family' | 'name'>): string {
   if (family === 'path') return 'Trials';
+  if (family === 'drive') return 'Runs of each method';
   if (name === 'horizon') return '';
   return name === 'bandit' ? 'Pulls an episode' : 'Trials an episode';
 }

@@ -1,6 +1,7 @@
 /** Keys of the session page. */
 
 import type { Family } from './protocol';
+import { ROUNDS } from './states';
 
 /** What a key asks for. */
 export type Wish = 'main' | 'step' | 'step-trial' | 'help';
@@ -17,8 +18,8 @@ export const SHORTCUTS: { keys: string; wish: Wish; does: string }[] = [
 export function shortcuts(family: Family): typeof SHORTCUTS {
   if (family === 'path') return SHORTCUTS;
   const does: Partial<Record<Wish, string>> = {
-    step: 'One step',
-    'step-trial': 'To the end of the episode',
+    step: family === 'drive' ? 'One cycle of the sonars' : 'One step',
+    'step-trial': `To the end of the ${ROUNDS[family]}`,
   };
   return SHORTCUTS.map((each) => ({ ...each, does: does[each.wish] ?? each.does }));
 }

@@ -29,6 +29,9 @@ const DONE: Record<Control, { state: State; word: string }> = {
   reset: { state: 'queued', word: 'Reset' },
 };
 
+/** What a session of each kind goes through, one after the other. */
+export const ROUNDS: Record<Family, string> = { path: 'trial', table: 'episode', drive: 'run' };
+
 /** What a control led to, e.g. "Paused at tick 132"; the state's name when it led elsewhere. */
 export function outcome(
   control: Control,
@@ -37,10 +40,7 @@ export function outcome(
   family: Family = 'path',
 ): string {
   const { state, word } = DONE[control];
-  const far =
-    unit === 'trial'
-      ? `${word} to the end of the ${family === 'table' ? 'episode' : 'trial'}`
-      : word;
+  const far = unit === 'trial' ? `${word} to the end of the ${ROUNDS[family]}` : word;
   return `${ack.state === state ? far : STATES[ack.state].word} at tick ${ack.tick}`;
 }
 

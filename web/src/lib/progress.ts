@@ -1,7 +1,8 @@
-/** How far a session is: in trials of a path, in episodes of competitors with tables. */
+/** How far a session is: in trials of a path, episodes of competitors with tables, or runs of a drive. */
 
-import type { LiveSession } from '../live.svelte';
-import type { Session, TaskView } from '../protocol';
+import { methodName } from './drive/names';
+import type { LiveSession } from './live.svelte';
+import type { CourseView, Session, TaskView } from './protocol';
 
 /** Progress in words and numbers. */
 export interface Progress {
@@ -15,12 +16,22 @@ export interface Progress {
   step: string;
 }
 
+/** What a session's progress is read from. */
+export type Present = Pick<LiveSession, 'tick' | 'step' | 'cycle'>;
+
 /** How far a session is. */
-export function progressOf(session: Session, live: Pick<LiveSession, 'tick' | 'step'>): Progress {
-  return session.family === 'table' ? ofTable(session, live) : ofPath(session, live);
+export function progressOf(session: Session, live: Present): Progress {
+  switch (session.family) {
+    case 'table':
+      return ofTable(session, live);
+    case 'drive':
+      return ofDrive(session, live);
+    case 'path':
+      return ofPath(session, live);
+  }
 }
 
-function ofPath(session: Session, { tick }: Pick<LiveSession, 'tick'>): Progress {
+function ofPath(session: Session, { tick }: Present): Progress {
   const { trials, trials_done } = session;
   const present = presentOf(session, trials_done, trials);
   // Between two trials the last step belongs to the trial before.
@@ -29,12 +40,22 @@ function ofPath(session: Session, { tick }: Pick<LiveSession, 'tick'>): Progress
   return { label: 'Trials done', max: trials, done: trials_done, words, step };
 }
 
-function ofTable(session: Session, { step }: Pick<LiveSession, 'step'>): Progress {
+function ofTable(session: Session, { step }: Present): Progress {
   const { rounds, rounds_done } = session;
   const present = presentOf(session, rounds_done, rounds);
   const words = `Round ${present} of ${rounds}`;
   const shown = session.tick > 0 && step?.round === present ? stepWords(step) : '';
   return { label: 'Rounds done', max: rounds, done: rounds_done, words, step: shown };
+}
+
+function ofDrive(session: Session, { cycle }: Present): Progress {
+  const { rounds, rounds_done } = session;
+  const present = presentOf(session, rounds_done, rounds);
+  const words = `Run ${present} of ${rounds}`;
+  // Between two runs the last cycle belongs to the run before.
+  const shown = session.tick > 0 && cycle?.round === present;
+  const step = shown ? `by ${methodName(cycle.method)}, cycle ${cycle.cycle}` : '';
+  return { label: 'Runs done', max: rounds, done: rounds_done, words, step };
 }
 
 function stepWords(step: NonNullable<LiveSession['step']>): string {
@@ -65,9 +86,17 @@ export function tableFacts(session: Session, task: TaskView | null): [string, st
   ];
 }
 
+/** By which methods a course is driven, and how often by each. */
+export function driveFacts(session: Session, course: CourseView | null): [string, string][] {
+  const drivers = (course?.drivers ?? []).map(methodName).join(', then ');
+  return [
+    ...(drivers ? [['Driven by', drivers] as [string, string]] : []),
+    [course && course.drivers.length > 1 ? 'Runs of each method' : 'Runs', String(session.trials)],
+  ];
+}
+
 /** "3 of 20 trials", in the list of sessions. */
 export function doneWords({ family, trials, trials_done, rounds, rounds_done }: Session): string {
-  return family === 'table'
-    ? `${rounds_done} of ${rounds} episodes`
-    : `${trials_done} of ${trials} trials`;
+  if (family === 'path') return `${trials_done} of ${trials} trials`;
+  return `${rounds_done} of ${rounds} ${family === 'table' ? 'episodes' : 'runs'}`;
 }
