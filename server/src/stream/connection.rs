@@ -200,6 +200,8 @@ impl Connection {
     async fn send_hello(&mut self) -> Result<(), Goodbye> {
         let hello = self.feed.hello();
         self.seen = hello.seq;
+        // What `hello` holds is not sent again.
+        self.cycles.sent = hello.cycles.last().map(|cycle| cycle.tick);
         self.say(&ServerMessage::Hello(Box::new(hello))).await
     }
 
