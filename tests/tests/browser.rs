@@ -42,6 +42,11 @@ fn a_person_can_look_at_the_reproductions_in_a_browser() {
 }
 
 #[test]
+fn a_person_can_watch_and_change_what_drives_a_robot_in_a_browser() {
+    passes("drive.spec.ts");
+}
+
+#[test]
 fn a_person_can_watch_and_advise_learners_with_tables_in_a_browser() {
     passes("tables.spec.ts");
 }
