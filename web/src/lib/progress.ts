@@ -90,7 +90,7 @@ export function tableFacts(session: Session, task: TaskView | null): [string, st
 export function driveFacts(session: Session, course: CourseView | null): [string, string][] {
   const drivers = (course?.drivers ?? []).map(methodName).join(', then ');
   return [
-    ...(drivers ? [['Driven by', drivers] as [string, string]] : []),
+    ...(drivers ? [[course?.rules ? 'Driven by' : 'Looked at', drivers] as [string, string]] : []),
     [course && course.drivers.length > 1 ? 'Runs of each method' : 'Runs', String(session.trials)],
   ];
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import type { ExperimentInfo, SettingInfo } from './protocol';
+import type { ExperimentInfo, Family, SettingInfo } from './protocol';
 import {
   changed,
   grouped,
@@ -110,8 +110,9 @@ it('takes words and tables as they are, also none, and says how long they are', 
 });
 
 it('says what a session is given a number of', () => {
-  const label = (family: 'path' | 'table', name: string) => trialsLabel({ family, name });
+  const label = (family: Family, name: string) => trialsLabel({ family, name });
   expect(label('path', 'a')).toBe('Trials');
+  expect(label('drive', 'corridor')).toBe('Runs of each method');
   expect(['labyrinth', 'bandit', 'horizon'].map((name) => label('table', name))).toEqual([
     'Trials an episode',
     'Pulls an episode',

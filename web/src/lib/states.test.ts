@@ -21,4 +21,7 @@ it('says what a control led to, and never more', () => {
   expect(outcome('step', 'trial', { state: 'paused', tick: 39 })).toBe(
     'Stepped to the end of the trial at tick 39',
   );
+  expect(outcome('step', 'trial', { state: 'paused', tick: 39 }, 'drive')).toBe(
+    'Stepped to the end of the run at tick 39',
+  );
 });

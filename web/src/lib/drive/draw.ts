@@ -91,6 +91,7 @@ function drawScale(context: CanvasRenderingContext2D, at: Fit, height: number, i
 }
 
 function drawFaces(context: CanvasRenderingContext2D, course: CourseView, at: Fit, ink: Ink): void {
+  fillBlocks(context, course, at, ink);
   context.lineCap = 'round';
   for (const { segment_m, surface } of course.faces) {
     const [x0, y0, x1, y1] = segment_m;
@@ -108,6 +109,27 @@ function drawFaces(context: CanvasRenderingContext2D, course: CourseView, at: Fi
     context.stroke();
   }
   context.lineCap = 'butt';
+}
+
+/** Blocks are solid; their faces follow one another around them. */
+function fillBlocks(
+  context: CanvasRenderingContext2D,
+  course: CourseView,
+  at: Fit,
+  ink: Ink,
+): void {
+  context.fillStyle = ink.line;
+  context.beginPath();
+  let end: Point | null = null;
+  for (const { segment_m, surface } of course.faces) {
+    if (surface !== 'block') continue;
+    const [x0, y0, x1, y1] = segment_m;
+    const isNext = end && Math.hypot(end[0] - x0, end[1] - y0) < 1e-6;
+    if (!isNext) context.moveTo(...onCanvas(at, [x0, y0]));
+    context.lineTo(...onCanvas(at, [x1, y1]));
+    end = [x1, y1];
+  }
+  context.fill();
 }
 
 function drawFinish(

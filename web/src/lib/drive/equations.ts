@@ -1,7 +1,7 @@
 /** Algorithms 1 and 2 with the numbers that really stood in them. */
 
 import type { Equation } from '../equations';
-import { brief, number, signed } from '../format';
+import { brief, capital, number, signed } from '../format';
 import type { CycleView, InferenceView, RuleBaseView } from '../protocol';
 import { outputName } from './fuzzy';
 
@@ -101,7 +101,7 @@ export function inference(found: InferenceView, base: RuleBaseView): Equation[] 
       source: '2.26',
     },
     ...base.outputs.map((output, index) => ({
-      gives: `${outputName(output)}, ${output.unit}`,
+      gives: `${capital(outputName(output))}, ${output.unit}`,
       symbols: `${output.name} = Σ rᵢ ${output.name}ᵢ / Σ rᵢ`,
       numbers: `${sum(found, index)} = ${signed(found.outputs[index] ?? NaN)}`,
       source: 'Algorithm 2',

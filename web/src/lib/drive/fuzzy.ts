@@ -11,8 +11,12 @@ export function membership([left, from, to, right]: SetView['corners'], value: n
   return 1;
 }
 
-/** Outline of a set over the variable's range: place 0 to 1, membership 0 to 1. */
-export function outline({ corners }: SetView, range: [number, number]): [number, number][] {
+/** Outline of a set, drawn over a part of its variable's range: place 0 to 1, membership 0 to 1. */
+export function outline(
+  { corners }: SetView,
+  range: [number, number],
+  drawn: [number, number],
+): [number, number][] {
   const [left, from, to, right] = corners;
   const points: [number, number][] = [
     [left, 0],
@@ -20,25 +24,37 @@ export function outline({ corners }: SetView, range: [number, number]): [number,
     [to, 1],
     [right, 0],
   ];
-  // A side that lies at the range's end is not drawn.
-  const open = points.filter(
-    ([at, height]) => height === 1 || (at > range[0] && at < range[1]) || isSlope(corners, at),
-  );
-  return open.map(([at, height]) => [placeIn(range, at), height]);
+  // An upright side at an end of the range is no side: the set goes on there.
+  const isSide = (at: number) =>
+    (at > range[0] && at < range[1]) ||
+    (at === left && left < from) ||
+    (at === right && to < right);
+  return points
+    .filter(([at, height]) => height === 1 || isSide(at))
+    .map(([at, height]) => [placeIn(drawn, at), height]);
 }
-
-/** Whether a foot is the end of a slope and not of an upright side. */
-const isSlope = ([left, from, to, right]: SetView['corners'], at: number) =>
-  (at === left && left < from) || (at === right && to < right);
 
 /** Place of a value in a range, 0 to 1; what lies outside stands at its end. */
 export function placeIn([least, most]: [number, number], value: number): number {
   return Math.max(0, Math.min(1, (value - least) / (most - least || 1)));
 }
 
-/** Middle of the part of a set that is wholly its own, place 0 to 1: where its name stands. */
-export function middle({ corners }: SetView, range: [number, number]): number {
-  return (placeIn(range, corners[1]) + placeIn(range, corners[2])) / 2;
+/** The part of a variable's range that is drawn: where memberships change, and a little beyond. */
+export function drawnRange({ range, sets }: VariableView): [number, number] {
+  const [least, most] = range;
+  const changes = sets.flatMap(({ corners: [left, from, to, right] }) => [
+    ...(left < from || left > least ? [left, from] : []),
+    ...(to < right || right < most ? [to, right] : []),
+  ]);
+  const [first, last] = [Math.min(...changes), Math.max(...changes)];
+  if (!(last > first)) return range;
+  const beyond = 0.2 * (last - first);
+  const step = 10 ** Math.floor(Math.log10(last - first)) / 2;
+  const round = (at: number, by: (steps: number) => number) => by(at / step) * step;
+  return [
+    Math.max(least, round(first - beyond, Math.floor)),
+    Math.min(most, round(last + beyond, Math.ceil)),
+  ];
 }
 
 /** How much of a threat a set is, or how fast, from 0 for the first to 1 for the last of its input's sets. */

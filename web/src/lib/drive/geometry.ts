@@ -23,7 +23,7 @@ const FOLLOWED_M = 9;
 const APPROACH_M = 3.3;
 const ASIDE_M = 1.2;
 /** Margin around all that is seen, metres. */
-const RIM_M = 0.2;
+const RIM_M = 0.35;
 
 /** A point of the robot's frame in the world. */
 export function inWorld(pose: PoseView, [x, y]: Point): Point {

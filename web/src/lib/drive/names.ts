@@ -23,7 +23,7 @@ export const numeral = (region: number): string => ROMAN[region] ?? String(regio
 /** A region with its numeral, and where it lies when rules have a name for it: "II left". */
 export function regionName(course: CourseView, region: number): string {
   const inputs = course.rules?.inputs ?? [];
-  const input = inputs.length > course.regions.length ? inputs[region] : undefined;
+  const input = inputs.length === course.regions.length + 1 ? inputs[region] : undefined;
   return input ? `${numeral(region)} ${words(input.name)}` : numeral(region);
 }
 
