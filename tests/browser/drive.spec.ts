@@ -50,7 +50,7 @@ test('the approach to a wall shows what each method tells, also on a dark phone'
   await page.setViewportSize({ width: 390, height: 844 });
   await page.goto(`/sessions/${id}`);
   await expect(page.getByText('Finished').first()).toBeVisible({ timeout: 60_000 });
-  await expect(page.getByRole('region', { name: 'Methods side by side' }).last()).toContainText('RMS');
+  await expect(page.getByRole('region', { name: 'Table of methods' })).toContainText('RMS');
   await fitsTheScreen(page);
   await axeFindsNothing(page);
   await photograph(page, 'wall-approach-phone-dark');
@@ -59,7 +59,7 @@ test('the approach to a wall shows what each method tells, also on a dark phone'
 test('the 972 rules can be searched', async ({ page }) => {
   await page.goto('/rules/navigator');
   await expect(page.getByText('972 of 972 rules')).toBeVisible();
-  await page.getByLabel('Centre').selectOption('dangerous');
+  await page.getByRole('combobox', { name: /^Centre/ }).selectOption('dangerous');
   await expect(page.getByText('324 of 972 rules')).toBeVisible();
   await axeFindsNothing(page);
   await photograph(page, 'rules');
