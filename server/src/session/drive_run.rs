@@ -47,6 +47,8 @@ struct State {
     /// First tick of the round under way.
     first_tick: u64,
     interventions: Vec<InterventionView>,
+    /// Sonars that an operator has silenced; they stay so until they are let answer.
+    silent: Vec<u32>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -159,8 +161,15 @@ impl DriveRun {
         outcome: DriveOutcome,
     ) -> DriveRunView {
         let turn = self.turn();
-        let State { rounds, ticks, first_tick, interventions } = std::mem::take(&mut self.state);
-        self.state = State { rounds: rounds + 1, ticks, first_tick: ticks + 1, ..State::default() };
+        let ended = std::mem::take(&mut self.state);
+        let State { rounds, ticks, first_tick, interventions, silent } = ended;
+        self.state = State {
+            rounds: rounds + 1,
+            ticks,
+            first_tick: ticks + 1,
+            interventions: silent.iter().map(|sonar| still_silent(*sonar, ticks)).collect(),
+            silent,
+        };
         // The next run of this machine is driven as the settings say, whatever an operator chose.
         self.machines[turn].drive_by_settings();
         let row = DriveRunView {
@@ -193,10 +202,14 @@ impl DriveRun {
         Some(LogRecord::Checkpoint { trials_done: rounds, tick: ticks, bytes })
     }
 
-    /// How the methods stand.
+    /// How the methods stand, over the runs that no operator changed.
     #[must_use]
     pub fn scores(&self) -> DriveScores {
-        view::scores(&self.done)
+        let (ends, doors) = match self.machines.first().map(|machine| &machine.core) {
+            Some(Core::Drive(run)) => (run.finish_m().is_some(), !run.doors().is_empty()),
+            _ => (false, false),
+        };
+        view::scores(&self.done, ends, doors)
     }
 
     /// Does something to the robot under way.
@@ -222,6 +235,11 @@ impl DriveRun {
                     return Err(FieldError::new("sonar", message));
                 }
                 self.machines.iter_mut().for_each(|machine| machine.silence(*sonar, *silent));
+                let number = u32::try_from(*sonar).unwrap_or(u32::MAX);
+                self.state.silent.retain(|other| *other != number);
+                if *silent {
+                    self.state.silent.push(number);
+                }
                 let what = if *silent { "fell silent" } else { "answers again" };
                 ("sonar", format!("Sonar {sonar} {what}"))
             }
@@ -240,6 +258,12 @@ impl DriveRun {
         });
         Ok(text)
     }
+}
+
+/// What is said of a run that begins with a silent sonar.
+fn still_silent(sonar: u32, tick: u64) -> InterventionView {
+    let text = format!("Sonar {sonar} was silent from the start");
+    InterventionView { tick, trial: 1, kind: "sonar".into(), text }
 }
 
 impl Machine {

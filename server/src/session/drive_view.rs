@@ -217,10 +217,20 @@ const APPROACHED: [Measure<MethodScoreView>; 5] = [
     ("greatest jump", "m", |of| of.jump_m),
 ];
 
-pub(super) fn scores(done: &[DriveRunView]) -> DriveScores {
+/// Over the runs that no operator changed; `ends` and `doors` say whether the way has an end and doors.
+pub(super) fn scores(done: &[DriveRunView], ends: bool, doors: bool) -> DriveScores {
+    let measures: Vec<Measure<DriveScore>> = DRIVEN
+        .into_iter()
+        .filter(|(name, ..)| match *name {
+            "doors passed" | "door contacts" => doors,
+            "people contacts" | "heading, RMS" | "progress" | "straightness" => ends,
+            "block contacts" => !ends,
+            _ => true,
+        })
+        .collect();
     let mut driven: Vec<(String, Vec<&DriveScore>)> = Vec::new();
     let mut approached: Vec<(String, Vec<&MethodScoreView>)> = Vec::new();
-    for run in done {
+    for run in done.iter().filter(|run| run.interventions.is_empty()) {
         match &run.outcome {
             DriveOutcome::Drive(score) => add(&mut driven, &run.method, score),
             DriveOutcome::Approach { scores, .. } => {
@@ -229,8 +239,8 @@ pub(super) fn scores(done: &[DriveRunView]) -> DriveScores {
         }
     }
     let of_drives = driven.iter().map(|(method, runs)| MethodSummary {
-        done: Some(number(runs.iter().filter(|run| run.done).count())),
-        ..summary(method, runs, &DRIVEN)
+        done: ends.then(|| number(runs.iter().filter(|run| run.done).count())),
+        ..summary(method, runs, &measures)
     });
     let of_approaches = approached.iter().map(|(method, runs)| summary(method, runs, &APPROACHED));
     let methods: Vec<MethodSummary> = of_drives.chain(of_approaches).collect();

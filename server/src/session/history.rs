@@ -231,6 +231,7 @@ pub(crate) fn new_row(job: &Job) -> Result<SessionRow, FieldError> {
 pub(crate) fn log_header(row: &SessionRow, network_text: Option<String>) -> LogHeader {
     LogHeader {
         experiment: row.experiment.clone(),
+        family: row.family,
         seed: row.seed,
         settings: row.settings.clone(),
         trials: row.trials_each,

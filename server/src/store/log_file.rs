@@ -16,7 +16,7 @@ use super::chunk::{Chunk, Contents};
 use super::record::{LogHeader, RawMessage, TICK_NS, Topic};
 use super::{StoreError, json_schema};
 use crate::wire::{
-    CycleView, DriveRunView, EpisodeView, LogEntry, StepView, TickView, TrialEndView,
+    CycleView, DriveRunView, EpisodeView, Family, LogEntry, StepView, TickView, TrialEndView,
 };
 
 /// zstd's cheapest ordinary level; its "fast" levels double the size and save no time here.
@@ -72,7 +72,7 @@ impl LogFile {
             json: Vec::new(),
             sequence: 0,
         };
-        log.declare_channels().map_err(|e| failure(path, e))?;
+        log.declare_channels(header.family).map_err(|e| failure(path, e))?;
         log.encode(Topic::Session, 0, 0, header)?;
         let first = log.close_chunk()?.unwrap_or_default();
         Ok((log, first))
@@ -174,8 +174,8 @@ impl LogFile {
         drop(self.writer.into_inner());
     }
 
-    fn declare_channels(&mut self) -> Result<(), McapError> {
-        for topic in Topic::ALL {
+    fn declare_channels(&mut self, family: Family) -> Result<(), McapError> {
+        for topic in Topic::of(family) {
             let number = topic.number();
             let (name, schema) = json_schema::of_topic(topic);
             self.writer.add_schema_with_id(number, &name, "jsonschema", &schema)?;

@@ -7,7 +7,7 @@ use serde_json::Value;
 use utoipa::ToSchema;
 
 use crate::wire::{
-    CycleView, DriveRunView, EpisodeView, LogEntry, StepView, TickView, TrialEndView,
+    CycleView, DriveRunView, EpisodeView, Family, LogEntry, StepView, TickView, TrialEndView,
 };
 
 /// Log time of one tick, nanoseconds: a tenth of a second, the pace of the real robot, so that a
@@ -22,6 +22,9 @@ pub const TICK_NS: u64 = 100_000_000;
 pub struct LogHeader {
     /// Name of the experiment.
     pub experiment: String,
+    /// Which kind of experiment it is, and so which channels the log has.
+    #[serde(default)]
+    pub family: Family,
     /// Seed.
     pub seed: u64,
     /// Every setting with its value, `preset` and `world` included.
@@ -91,6 +94,16 @@ impl Topic {
         Self::Cycle,
         Self::Run,
     ];
+
+    /// The channels of a log.
+    pub(super) fn of(family: Family) -> [Self; 4] {
+        let (ticks, ends) = match family {
+            Family::Path => (Self::Tick, Self::Trial),
+            Family::Table => (Self::Step, Self::Episode),
+            Family::Drive => (Self::Cycle, Self::Run),
+        };
+        [Self::Session, ticks, ends, Self::Event]
+    }
 
     /// It holds ticks, whichever kind of experiment runs.
     pub(super) fn is_tick(self) -> bool {

@@ -231,13 +231,13 @@ pub struct DriveScore {
 /// How the methods stand.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, ToSchema)]
 pub struct DriveScores {
-    /// Runs that every method has done.
+    /// Runs that every method has done, without those that an operator changed.
     pub runs_done: u32,
     /// The methods, in their order.
     pub methods: Vec<MethodSummary>,
 }
 
-/// How one method stands over its runs.
+/// How one method stands over those of its runs that no operator changed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
 pub struct MethodSummary {
     /// The method.

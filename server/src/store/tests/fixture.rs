@@ -46,7 +46,16 @@ pub(super) fn row(id: &str) -> SessionRow {
 pub(super) fn header() -> LogHeader {
     let SessionRow { experiment, seed, settings, trials_each: trials, build, world_text, .. } =
         row(ID);
-    LogHeader { experiment, seed, settings, trials, build, world_text, network_text: None }
+    LogHeader {
+        experiment,
+        family: Family::Path,
+        seed,
+        settings,
+        trials,
+        build,
+        world_text,
+        network_text: None,
+    }
 }
 
 pub(super) fn create(store: &Store) -> LogWriter {
