@@ -5,16 +5,20 @@ use std::sync::Arc;
 use sonarium_core::experiment::{Checkpoint, MinimumCostPath, Settings};
 use sonarium_core::geometry::{angle, wrap_angle};
 use sonarium_core::learner::{ActionSource, Adaptation, BirthCause, Tick, TrialEnd, TrialRecord};
-use sonarium_core::robot::{Robot, RobotFile};
+use sonarium_core::robot::{Contact, Robot, RobotFile};
 use sonarium_core::settings::Value;
 use sonarium_core::world::{World, WorldFile};
 
 fn laboratory() -> Arc<World> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/worlds/laboratory.toml");
-    let text = std::fs::read_to_string(path).expect("the laboratory is among the assets");
-    let file: WorldFile = toml::from_str(&text).expect("the laboratory is a world file");
+    world("laboratory")
+}
+
+fn world(name: &str) -> Arc<World> {
+    let path = format!("{}/../assets/worlds/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).expect("the world is among the assets");
+    let file: WorldFile = toml::from_str(&text).expect("a world file");
     let radius_m = b21().body().reach_m();
-    Arc::new(World::new(&file, radius_m).expect("the laboratory is a good world"))
+    Arc::new(World::new(&file, radius_m).expect("a good world"))
 }
 
 fn b21() -> Arc<Robot> {
@@ -130,10 +134,17 @@ fn the_default_preset_learns_and_holds_what_it_learned() {
 }
 
 #[test]
-fn without_replacement_nothing_is_held() {
-    let settings = with(&[("learner.replacement", choice("off"))]);
+fn without_replacement_the_best_path_is_not_held() {
     let seeds = 41_000..41_010;
-    let total = mean_at_the_end(&settings, seeds, |trial| trial.total_reinforcement);
+    let steps = |changes: &[(&str, Value)]| {
+        mean_at_the_end(&with(changes), seeds.clone(), |trial| f64::from(trial.steps))
+    };
+    let off = ("learner.replacement", choice("off"));
+    let (lost, held) = (steps(std::slice::from_ref(&off)), steps(&[]));
+    assert!(lost > held + 4.0, "{lost} steps, held {held}");
+    // Without steps aside (A4) the robot pays for it with collisions, too.
+    let literal = with(&[off, ("learner.sidestep", Value::Number(0.0))]);
+    let total = mean_at_the_end(&literal, seeds.clone(), |trial| trial.total_reinforcement);
     assert!(total < -20.0, "{total}");
 }
 
@@ -171,10 +182,105 @@ fn a_shortcut_is_followed_to_where_it_leads() {
         }
         if let Some(end) = end {
             assert!(end.record.record || end.proposed.is_empty(), "only a record proposes");
-            proposed.extend(end.proposed.iter().map(|proposal| proposal.aim));
+            let aims = end.proposed.iter().map(|proposal| proposal.aim);
+            // A3: where a way bends, its second leg is followed next.
+            proposed.extend(aims.flat_map(|aim| [Some(aim), aim.after_bend()]).flatten());
         }
     });
     assert!(followed > carried && carried > 0, "{followed} followed, {carried} by new neurons");
+}
+
+/// Trials that reach the goal, of a run in a world.
+fn successes(world: &Arc<World>, settings: &Settings, seed: u64, trials: u32) -> usize {
+    let mut experiment =
+        MinimumCostPath::new(Arc::clone(world), b21(), settings, seed).expect("fits");
+    let records = run(&mut experiment, trials, |_, _| {});
+    records.iter().filter(|trial| trial.reached_goal).count()
+}
+
+#[test]
+fn an_escape_leads_where_the_reflex_never_comes() {
+    let baffles = world("two-baffles");
+    let without = with(&[("learner.escape_after", Value::Integer(0))]);
+    for seed in 44_000..44_004 {
+        assert_eq!(successes(&baffles, &without, seed, 3), 0, "the reflex alone, seed {seed}");
+        let found = successes(&baffles, &Settings::default(), seed, 12);
+        assert!(found > 0, "no trial of twelve escaped, seed {seed}");
+    }
+}
+
+#[test]
+fn an_escape_begins_without_progress_and_ends_nearer_than_ever() {
+    let settings = Settings::default();
+    let mut experiment =
+        MinimumCostPath::new(world("two-baffles"), b21(), &settings, 44_000).expect("fits");
+    let (mut begun, mut ended) = (0, 0);
+    let (mut least_m, mut without, mut collisions, mut escaping) = (f64::INFINITY, 0, 0, false);
+    run(&mut experiment, 8, |tick, _| {
+        if tick.step == 1 {
+            (least_m, without, collisions, escaping) = (f64::INFINITY, 0, 0, false);
+        }
+        let distance_m = tick.decision.goal_distance_m;
+        without = if distance_m < least_m { 0 } else { without + 1 };
+        let escapes = tick.decision.source == ActionSource::Escape;
+        if escapes && !escaping {
+            let stuck = without >= settings.escape_after || collisions >= 4;
+            assert!(stuck, "begun at step {}", tick.step);
+            begun += 1;
+        }
+        if escaping && !escapes {
+            assert!(distance_m < least_m, "ended at step {}", tick.step);
+            ended += 1;
+        }
+        (least_m, escaping) = (least_m.min(distance_m), escapes);
+        collisions = if tick.outcome.contact == Contact::None { 0 } else { collisions + 1 };
+        assert!(tick.step <= settings.step_cap);
+    });
+    assert!(begun > 0 && ended > 0, "{begun} begun, {ended} ended");
+}
+
+#[test]
+fn an_escape_that_never_begins_changes_no_bit() {
+    let ticks = |after| {
+        let settings = with(&[("learner.escape_after", Value::Integer(after))]);
+        let mut experiment =
+            MinimumCostPath::new(laboratory(), b21(), &settings, 13).expect("fits");
+        let mut ticks = Vec::new();
+        run(&mut experiment, 4, |tick, _| ticks.push(tick.clone()));
+        ticks
+    };
+    // A trial is capped at 200 steps.
+    assert_eq!(ticks(0), ticks(1000));
+}
+
+#[test]
+fn a_step_aside_waits_for_a_success_and_explores_nothing() {
+    let settings = with(&[("odometry.drift", Value::Number(0.02))]);
+    let (mut succeeded, mut aside) = (false, 0);
+    let mut experiment = MinimumCostPath::new(laboratory(), b21(), &settings, 14).expect("fits");
+    run(&mut experiment, 12, |tick, end| {
+        let decision = &tick.decision;
+        if decision.source == ActionSource::Sidestep {
+            assert!(succeeded, "tick {}", tick.tick);
+            assert_eq!(decision.exploration.xi_deg, 0.0, "nothing is explored");
+            aside += 1;
+        }
+        succeeded |= end.is_some_and(|end| end.record.reached_goal);
+    });
+    assert!(aside > 0, "with drift something is in the way in twelve trials");
+}
+
+#[test]
+fn stepping_aside_spares_collisions_when_the_odometry_drifts() {
+    let collisions = |aside_m| {
+        let settings = with(&[
+            ("odometry.drift", Value::Number(0.02)),
+            ("learner.sidestep", Value::Number(aside_m)),
+        ]);
+        mean_at_the_end(&settings, 45_000..45_040, |trial| f64::from(trial.collisions))
+    };
+    let (with_it, without) = (collisions(0.15), collisions(0.0));
+    assert!(with_it < without / 2.0, "{with_it} collisions, without it {without}");
 }
 
 #[test]

@@ -85,6 +85,11 @@ crate::settings! {
         shortcut_push: bool = true, "shortcut.push" "", Addition, "A1", "Move the points aimed at off the obstacle by the clearance that cost the step that led there";
         shortcut_clearance_m: f64 = 0.1, "shortcut.clearance" [0.0, 1.0] "m", Addition, "A1, A2; the distance of a virtual collision", "Least clearance that the echoes must show along a shortcut";
         shortcut_carry: Carry = Carry::HandOver, "shortcut.carry" "", Addition, "A2", "What a new neuron on a shortcut does";
+        echo_width: f64 = 0.5, "shortcut.echo_width" [0.0, 1.0] "", Addition, "A1, A2, A3, A4, A5; tuned", "Share of a sonar cone from which an echo may have come";
+        shortcut_bend: bool = true, "shortcut.bend" "", Addition, "A3", "A shortcut may bend once, at a place in view from both its ends";
+        shortcut_bend_gain: f64 = 0.1, "shortcut.bend_gain" [0.0, 10.0] "", Addition, "A3, tuned", "Reinforcement that a bend must promise over the best straight way";
+        sidestep_m: f64 = 0.15, "learner.sidestep" [0.0, 1.0] "m", Addition, "A4; the clearance at which a rescue ends", "Clearance of the next step below which it is turned aside, once a trial has succeeded; 0: never";
+        escape_after: u32 = 25, "learner.escape_after" [0.0, 100_000.0] "", Addition, "A5, tuned", "Steps without coming nearer to the goal after which the robot follows the obstacle; 0: never";
     }
 }
 

@@ -1,7 +1,9 @@
 //! Algorithm 9 as a state machine.
 
+mod escape;
 mod heritage;
 mod recall;
+mod room;
 
 pub use recall::{Recall, Silence};
 
@@ -9,6 +11,7 @@ use std::sync::Arc;
 
 use rand_chacha::ChaCha8Rng;
 
+use escape::Escape;
 use heritage::{Heritage, REACHED};
 
 use super::critic::{PastSituation, adapt, td_error};
@@ -101,6 +104,7 @@ pub struct Learner {
     waiting: Option<(Past, PathStep)>,
     /// The last draw in this trial, and the neuron it was drawn for.
     drawn: Option<(NeuronId, f64)>,
+    escape: Escape,
     step: u32,
 }
 
@@ -144,6 +148,7 @@ impl Learner {
             recentred: Vec::new(),
             waiting: None,
             drawn: None,
+            escape: Escape::default(),
             step: 0,
         }
     }
@@ -226,6 +231,7 @@ impl Learner {
         self.past = None;
         self.waiting = None;
         self.drawn = None;
+        self.escape = Escape::default();
         self.path.clear();
         self.born.clear();
         self.step = 0;
@@ -307,20 +313,7 @@ impl Learner {
             &mut self.rng,
         );
         self.drawn = Some((acting.neuron, exploration.drawn_deg));
-        // NOTE (D5): Algorithm 9 rescues the robot and lets the same winner try the same way again; here
-        // the step after a rescue is the reflex's, and is recorded like any other.
-        let rescued = situation.collided() && self.settings.after_rescue == AfterRescue::Reflex;
-        let start_rad = if rescued {
-            let advice = *reflex.get_or_insert_with(|| self.advise(situation));
-            if self.memory.best.is_some() {
-                exploration.xi_deg = 0.0;
-            }
-            situation.action(advice.rotation_rad)
-        } else {
-            acting.prototypical_rad
-        };
-        // Eq. (5.15): α = p_i + ξ
-        let action_rad = wrap_angle(start_rad + exploration.xi_deg.to_radians());
+        let (action_rad, source) = self.choose(situation, &acting, &mut exploration, &mut reflex);
         self.wait_for_consequence(situation, &acting, &exploration, action_rad);
         Decision {
             goal_distance_m: situation.observation.pose.distance_to(self.goal),
@@ -337,9 +330,45 @@ impl Learner {
             utility: (!acting.pending).then_some(acting.utility),
             aim: acting.aim,
             exploration,
-            source: if rescued { ActionSource::AfterRescue } else { ActionSource::Network },
+            source,
             action_rad,
             rotation_rad: situation.rotation(action_rad),
+        }
+    }
+
+    /// The action in the action frame, and who chose it. What is not chosen by the network is recorded
+    /// like any other action, and explores nothing.
+    fn choose(
+        &mut self,
+        situation: &Situation<'_>,
+        acting: &Acting,
+        exploration: &mut Exploration,
+        reflex: &mut Option<ReflexTrace>,
+    ) -> (f64, ActionSource) {
+        if let Some(heading_rad) = self.escape(situation) {
+            exploration.xi_deg = 0.0;
+            return (wrap_angle(heading_rad - situation.frame_rad), ActionSource::Escape);
+        }
+        // NOTE (D5): Algorithm 9 rescues the robot and lets the same winner try the same way again; here
+        // the step after a rescue is the reflex's.
+        let rescued = situation.collided() && self.settings.after_rescue == AfterRescue::Reflex;
+        let (start_rad, source) = if rescued {
+            let advice = *reflex.get_or_insert_with(|| self.advise(situation));
+            if self.memory.best.is_some() {
+                exploration.xi_deg = 0.0;
+            }
+            (situation.action(advice.rotation_rad), ActionSource::AfterRescue)
+        } else {
+            (acting.prototypical_rad, ActionSource::Network)
+        };
+        // Eq. (5.15): α = p_i + ξ
+        let action_rad = wrap_angle(start_rad + exploration.xi_deg.to_radians());
+        match self.sidestep(situation, wrap_angle(action_rad + situation.frame_rad)) {
+            Some(heading_rad) => {
+                exploration.xi_deg = 0.0;
+                (wrap_angle(heading_rad - situation.frame_rad), ActionSource::Sidestep)
+            }
+            None => (action_rad, source),
         }
     }
 

@@ -3,11 +3,22 @@
 use crate::geometry::{Pose, Vec2, rotate, unit, wrap_angle};
 use crate::robot::{Readings, Robot};
 
-/// Where in its cone an echo may have come from, in half cones.
+/// Where an echo may have come from, in halves of the share of the cone that counts.
 const IN_CONE: [f64; 3] = [-1.0, 0.0, 1.0];
 
 /// Slack on a direction that lies on the edge of a cone, radians.
 const SLACK_RAD: f64 = 1e-9;
+
+/// How sonars hear.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hearing {
+    /// Greatest reading, metres; it is no echo.
+    pub(super) range_m: f64,
+    /// Full angle of a cone, radians.
+    pub(super) cone_rad: f64,
+    /// Share of the cone from which an echo may have come, 0 to 1.
+    pub(super) width: f64,
+}
 
 /// The echoes heard at one believed pose, as points in the odometry frame.
 #[derive(Clone, Debug)]
@@ -15,7 +26,7 @@ pub(super) struct Echoes<'a> {
     robot: &'a Robot,
     pose: Pose,
     sonar_m: &'a Readings,
-    half_cone_rad: f64,
+    hearing: Hearing,
     points: Vec<Vec2>,
 }
 
@@ -25,22 +36,40 @@ impl<'a> Echoes<'a> {
         robot: &'a Robot,
         pose: Pose,
         sonar_m: &'a Readings,
-        range_m: f64,
-        cone_rad: f64,
+        hearing: Hearing,
     ) -> Self {
-        let half_cone_rad = cone_rad / 2.0;
-        let mut points = Vec::with_capacity(IN_CONE.len() * sonar_m.len());
+        let points = Vec::with_capacity(IN_CONE.len() * sonar_m.len());
+        let mut echoes = Self { robot, pose, sonar_m, hearing, points };
+        echoes.hear(pose, sonar_m, hearing.range_m);
+        echoes
+    }
+
+    /// Adds the echoes heard from a pose at less than a range.
+    pub(super) fn hear(&mut self, pose: Pose, sonar_m: &Readings, range_m: f64) {
+        let half_width_rad = self.hearing.width * (self.hearing.cone_rad / 2.0);
         let direction = pose.direction();
-        for (mount, reading_m) in robot.sonars().iter().zip(sonar_m.iter()) {
+        for (mount, reading_m) in self.robot.sonars().iter().zip(sonar_m.iter()) {
             if *reading_m < range_m {
                 let place = pose.position() + rotate(mount.place, direction);
                 let axis_rad = pose.heading_rad + mount.axis_rad;
-                points.extend(
-                    IN_CONE.map(|edge| place + unit(axis_rad + edge * half_cone_rad) * *reading_m),
+                self.points.extend(
+                    IN_CONE.map(|edge| place + unit(axis_rad + edge * half_width_rad) * *reading_m),
                 );
             }
         }
-        Self { robot, pose, sonar_m, half_cone_rad, points }
+    }
+
+    /// Adds a place where something was touched.
+    pub(super) fn touch(&mut self, place: Vec2) {
+        self.points.push(place);
+    }
+
+    /// Distance of the body, as it is outlined, to the nearest echo when it stands at a place with a
+    /// heading, metres.
+    pub(super) fn outline_m(&self, at: Vec2, heading_rad: f64) -> f64 {
+        let (body, direction) = (self.robot.body(), unit(heading_rad));
+        let distances = self.points.iter().map(|echo| body.distance_m(at, direction, *echo));
+        distances.fold(f64::INFINITY, f64::min)
     }
 
     /// Where they were heard.
@@ -51,7 +80,7 @@ impl<'a> Echoes<'a> {
     /// Way that the sonar looking in a direction shows free, metres; 0 where none looks.
     pub(super) fn free_m(&self, direction_rad: f64) -> f64 {
         let bearing_rad = direction_rad - self.pose.heading_rad;
-        let mut least = (self.half_cone_rad + SLACK_RAD, 0.0);
+        let mut least = (self.hearing.cone_rad / 2.0 + SLACK_RAD, 0.0);
         for (mount, reading_m) in self.robot.sonars().iter().zip(self.sonar_m.iter()) {
             let off_rad = wrap_angle(bearing_rad - mount.axis_rad).abs();
             if off_rad < least.0 {
@@ -64,8 +93,15 @@ impl<'a> Echoes<'a> {
     /// Distance of the body, as the circle it turns in, to the nearest echo when it stands at a
     /// place, metres.
     pub(super) fn clearance_m(&self, at: Vec2) -> f64 {
-        let nearest = self.points.iter().map(|echo| (echo - at).norm_squared());
-        nearest.fold(f64::INFINITY, f64::min).sqrt() - self.robot.body().reach_m()
+        // Lanes side by side: a least value does not depend on the order in which it is taken.
+        let mut nearest = [f64::INFINITY; 4];
+        for four in self.points.chunks(nearest.len()) {
+            for (least, echo) in nearest.iter_mut().zip(four) {
+                let squared = (echo - at).norm_squared();
+                *least = if squared < *least { squared } else { *least };
+            }
+        }
+        nearest.into_iter().fold(f64::INFINITY, f64::min).sqrt() - self.robot.body().reach_m()
     }
 }
 
@@ -83,7 +119,8 @@ mod tests {
         sonar_m[0] = 1.0;
         // Heading north, so the sonar ahead looks along y.
         let pose = Pose::new(1.0, 2.0, FRAC_PI_2);
-        let echoes = Echoes::new(&robot, pose, &sonar_m, 8.0, 15f64.to_radians());
+        let hearing = Hearing { range_m: 8.0, cone_rad: 15f64.to_radians(), width: 1.0 };
+        let echoes = Echoes::new(&robot, pose, &sonar_m, hearing);
         assert!((echoes.free_m(FRAC_PI_2) - 1.0).abs() < 1e-12);
         assert!((echoes.free_m(FRAC_PI_2 + 0.2) - 8.0).abs() < 1e-12, "the sonar to its left");
         assert!((echoes.free_m(-PI) - 8.0).abs() < 1e-12, "the sonar to the west");
@@ -95,8 +132,13 @@ mod tests {
             let found_m = echoes.clearance_m(Vec2::new(1.0, 2.0 + ahead_m));
             assert!((found_m - expected_m).abs() < 1e-12, "{ahead_m}: {found_m}");
         }
+        // Half as wide, it may have come from half as far off the axis.
+        let half = Echoes::new(&robot, pose, &sonar_m, Hearing { width: 0.5, ..hearing });
+        let edge_rad = 3.75f64.to_radians();
+        let edge_m = (radius_m + edge_rad.cos()).hypot(edge_rad.sin()) - radius_m;
+        assert!((half.clearance_m(pose.position()) - edge_m).abs() < 1e-12);
         let silent = Readings::from_iter([8.0; 24]);
-        let none = Echoes::new(&robot, pose, &silent, 8.0, 15f64.to_radians());
+        let none = Echoes::new(&robot, pose, &silent, hearing);
         assert!(none.clearance_m(pose.position()).is_infinite());
     }
 }

@@ -89,6 +89,10 @@ pub enum ActionSource {
     Reflex,
     /// A reflex step after a rescue (addition D5).
     AfterRescue,
+    /// Turned aside, because the echoes left no room for the next step (addition A4).
+    Sidestep,
+    /// Along an obstacle, because the robot came no nearer to the goal (addition A5).
+    Escape,
 }
 
 /// The stochastic unit at work, Eq. (5.12)-(5.16). Degrees, as the thesis counts them.
@@ -262,8 +266,20 @@ pub struct Aim {
     pub x_m: f64,
     /// Metres.
     pub y_m: f64,
-    /// Network and neuron in charge there on the record path; none at the goal.
+    /// Where the way leads on from there, if it bends there (addition A3).
+    #[serde(default)]
+    pub beyond: Option<Beyond>,
+    /// Network and neuron in charge at its end on the record path; none at the goal.
     pub then: Option<(usize, NeuronId)>,
+}
+
+/// The end of a way that bends once (addition A3), odometry frame.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Beyond {
+    /// Metres.
+    pub x_m: f64,
+    /// Metres.
+    pub y_m: f64,
 }
 
 impl Aim {
@@ -271,6 +287,13 @@ impl Aim {
     #[must_use]
     pub fn point(&self) -> Vec2 {
         Vec2::new(self.x_m, self.y_m)
+    }
+
+    /// The second leg of a way that bends here (addition A3).
+    #[must_use]
+    pub fn after_bend(&self) -> Option<Self> {
+        let Beyond { x_m, y_m } = self.beyond?;
+        Some(Self { x_m, y_m, beyond: None, then: self.then })
     }
 }
 

@@ -15,6 +15,9 @@ pub struct Memory {
     pub(super) temperature_deg: f64,
     /// Best total reinforcement of a successful trial.
     pub(super) best: Option<f64>,
+    /// The first trial that reached the goal, from 1.
+    #[serde(default)]
+    pub(super) first_success: Option<u32>,
     /// Trials done.
     pub(super) trials: u32,
     /// Ticks done.
@@ -29,6 +32,7 @@ impl Memory {
             next_neuron: 0,
             temperature_deg: annealing::initial(settings),
             best: None,
+            first_success: None,
             trials: 0,
             ticks: 0,
         }

@@ -1,6 +1,6 @@
 //! The learner's settings and the choices among readings.
 
-use super::echoes::Echoes;
+use super::echoes::{Echoes, Hearing};
 use super::{InputSettings, NoveltyMetric, Partition, RewardSettings};
 use crate::experiment::Settings;
 use crate::geometry::Pose;
@@ -120,6 +120,11 @@ pub struct LearnerSettings {
     pub shortcut_clearance_m: f64,
     pub shortcut_push: bool,
     pub shortcut_carry: Carry,
+    pub shortcut_bend: bool,
+    pub echo_width: f64,
+    pub shortcut_bend_gain: f64,
+    pub sidestep_m: f64,
+    pub escape_after: u32,
     pub sonar_range_m: f64,
     pub sonar_cone_rad: f64,
     pub advance_m: f64,
@@ -167,6 +172,11 @@ impl From<&Settings> for LearnerSettings {
             shortcut_clearance_m: settings.shortcut_clearance_m,
             shortcut_push: settings.shortcut_push,
             shortcut_carry: settings.shortcut_carry,
+            shortcut_bend: settings.shortcut_bend,
+            echo_width: settings.echo_width,
+            shortcut_bend_gain: settings.shortcut_bend_gain,
+            sidestep_m: settings.sidestep_m,
+            escape_after: settings.escape_after,
             sonar_range_m: settings.sonar_range_m,
             sonar_cone_rad: settings.sonar_cone_deg.to_radians(),
             advance_m: settings.advance_m,
@@ -182,6 +192,11 @@ impl LearnerSettings {
         pose: Pose,
         sonar_m: &'a Readings,
     ) -> Echoes<'a> {
-        Echoes::new(robot, pose, sonar_m, self.sonar_range_m, self.sonar_cone_rad)
+        let hearing = Hearing {
+            range_m: self.sonar_range_m,
+            cone_rad: self.sonar_cone_rad,
+            width: self.echo_width,
+        };
+        Echoes::new(robot, pose, sonar_m, hearing)
     }
 }

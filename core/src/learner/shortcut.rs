@@ -8,14 +8,20 @@
 
 use std::f64::consts::PI;
 
+mod bend;
+
 use super::echoes::Echoes;
 use super::trial_end::PathStep;
-use super::{Aim, Judge, LearnerSettings, Memory, Proposal, annealing};
+use super::{Aim, Beyond, Judge, LearnerSettings, Memory, Proposal, annealing};
 use crate::geometry::{Vec2, angle, wrap_angle};
 use crate::robot::Robot;
 
 /// A nearer point gives no direction to aim along, metres.
 const TOO_NEAR_M: f64 = 0.05;
+
+/// Bends are looked for at every eighth step of the path: a way that bends is long, and where each neuron
+/// proposes its own, the next trial follows none to its end.
+const BENDS_EVERY: usize = 8;
 
 /// Looks for shortcuts along a record path.
 pub(super) struct Surveyor<'a> {
@@ -26,7 +32,24 @@ pub(super) struct Surveyor<'a> {
     pub(super) path: &'a [PathStep],
 }
 
+/// A way that a neuron could propose.
+#[derive(Clone, Copy)]
+struct Way {
+    /// What is greatest where a neuron should aim.
+    score: f64,
+    /// From the prototypical action to the aim, degrees.
+    mean_deg: f64,
+    aim: Aim,
+    /// Step of the path that ended where the way ends.
+    step: usize,
+    /// Predicted for driving it.
+    reinforcement: f64,
+    /// What the critic expects from there on.
+    utility: f64,
+}
+
 /// A later point of the path that a neuron could aim at.
+#[derive(Clone, Copy)]
 struct Candidate {
     point: Vec2,
     /// Step of the path that ended there.
@@ -41,53 +64,87 @@ impl Surveyor<'_> {
         let next_trial = self.memory.trials + 2;
         let cooled = annealing::cooled(self.settings, self.memory.temperature_deg);
         let temperature_deg = annealing::effective(self.settings, cooled, next_trial);
-        (0..self.path.len()).filter_map(|t| Some((t, self.propose(t, temperature_deg)?))).collect()
+        let views: Vec<Echoes<'_>> = self.path.iter().map(|step| self.view(step)).collect();
+        let proposal = |t| Some((t, self.propose(t, &views, temperature_deg)?));
+        (0..self.path.len()).filter_map(proposal).collect()
     }
 
-    /// The best later point in view from where a step was decided, within the next temperature.
-    fn propose(&self, t: usize, temperature_deg: f64) -> Option<Proposal> {
+    fn view<'a>(&'a self, step: &'a PathStep) -> Echoes<'a> {
+        self.settings.echoes(self.robot, step.pose, &step.sonar_m)
+    }
+
+    /// The best way from where a step was decided to a later point, within the next temperature.
+    fn propose(&self, t: usize, views: &[Echoes<'_>], temperature_deg: f64) -> Option<Proposal> {
         let step = &self.path[t];
         let neuron = self.memory.networks[step.network].get(step.neuron)?;
-        let echoes = self.settings.echoes(self.robot, step.pose, &step.sonar_m);
-        let mut best: Option<(f64, Proposal)> = None;
+        let within = |heading_rad: f64| {
+            let aim_rad = heading_rad - step.frame_rad;
+            let mean_deg = wrap_angle(aim_rad - neuron.prototypical_rad).to_degrees();
+            // Eq. (5.15): -T(n) ≤ ξ ≤ T(n). What the temperature would clip is not proposed.
+            (mean_deg.abs() <= temperature_deg).then_some(mean_deg)
+        };
+        let straight = self.best_straight(t, &views[t], &within);
+        let bends = self.settings.shortcut_bend && self.settings.shortcut_judge == Judge::Critic;
+        let way = if bends && t.is_multiple_of(BENDS_EVERY) {
+            self.best_bend(t, views, &within, straight)
+        } else {
+            straight
+        }?;
+        Some(Proposal {
+            neuron: neuron.id,
+            before_deg: neuron.mean_deg,
+            after_deg: way.mean_deg,
+            aim: way.aim,
+            step: self.number(way.step),
+            straight: way.reinforcement,
+            utility: way.utility,
+        })
+    }
+
+    /// The best later point in view.
+    fn best_straight(
+        &self,
+        t: usize,
+        view: &Echoes<'_>,
+        within: &impl Fn(f64) -> Option<f64>,
+    ) -> Option<Way> {
+        let mut best: Option<Way> = None;
         // The far end first: it mostly has the greatest utility, and spares the look at all others.
         for candidate in self.later_points(t).rev() {
-            let greatest = best.as_ref().map_or(f64::NEG_INFINITY, |(score, _)| *score);
+            let greatest = best.as_ref().map_or(f64::NEG_INFINITY, |way| way.score);
             // Driving there gains nothing, so no score exceeds this one.
             if self.score(&candidate, 0.0) <= greatest {
                 continue;
             }
-            let way = candidate.point - echoes.from();
-            let aim_rad = angle(way) - step.frame_rad;
-            let mean_deg = wrap_angle(aim_rad - neuron.prototypical_rad).to_degrees();
-            // Eq. (5.15): -T(n) ≤ ξ ≤ T(n). What the temperature would clip is not proposed.
-            if way.norm() < TOO_NEAR_M || mean_deg.abs() > temperature_deg {
+            let way = candidate.point - view.from();
+            if way.norm() < TOO_NEAR_M {
                 continue;
             }
-            let Some(straight) = self.straight(&echoes, candidate.point) else { continue };
+            let Some(mean_deg) = within(angle(way)) else { continue };
+            let Some(straight) = self.straight(view, candidate.point) else { continue };
             let score = self.score(&candidate, straight);
             if score > greatest {
-                let then = self.path.get(candidate.step + 1);
-                let aim = Aim {
-                    x_m: candidate.point.x,
-                    y_m: candidate.point.y,
-                    then: then.map(|next| (next.network, next.neuron)),
-                };
-                best = Some((
+                best = Some(Way {
                     score,
-                    Proposal {
-                        neuron: neuron.id,
-                        before_deg: neuron.mean_deg,
-                        after_deg: mean_deg,
-                        aim,
-                        step: self.number(candidate.step),
-                        straight,
-                        utility: candidate.utility,
-                    },
-                ));
+                    mean_deg,
+                    aim: self.aim(&candidate),
+                    step: candidate.step,
+                    reinforcement: straight,
+                    utility: candidate.utility,
+                });
             }
         }
-        best.map(|(_, proposal)| proposal)
+        best
+    }
+
+    fn aim(&self, candidate: &Candidate) -> Aim {
+        let then = self.path.get(candidate.step + 1);
+        Aim {
+            x_m: candidate.point.x,
+            y_m: candidate.point.y,
+            beyond: None,
+            then: then.map(|next| (next.network, next.neuron)),
+        }
     }
 
     /// What is greatest where a neuron should aim.
@@ -123,30 +180,50 @@ impl Surveyor<'_> {
 
     /// Reinforcement of driving straight to a point, as far as the echoes tell; none when they show
     /// something in the way.
-    fn straight(&self, echoes: &Echoes, point: Vec2) -> Option<f64> {
-        let (way, advance_m) = (point - echoes.from(), self.settings.advance_m);
-        let (length_m, heading_rad) = (way.norm(), angle(way));
-        if length_m > echoes.free_m(heading_rad) {
+    fn straight(&self, echoes: &Echoes<'_>, point: Vec2) -> Option<f64> {
+        let way = point - echoes.from();
+        if way.norm() > echoes.free_m(angle(way)) {
             return None;
         }
+        self.leg(echoes.from(), point, &[echoes])
+    }
+
+    /// Reinforcement of driving straight from a place to a point; none when the echoes do not leave
+    /// room.
+    fn leg(&self, from: Vec2, to: Vec2, views: &[&Echoes<'_>]) -> Option<f64> {
+        let (way, advance_m) = (to - from, self.settings.advance_m);
+        let (length_m, heading_rad) = (way.norm(), angle(way));
         let direction = way / length_m;
         let mut sum = 0.0;
         let mut driven_m = 0.0;
         while driven_m < length_m {
             let to_m = (driven_m + advance_m).min(length_m);
-            let midway = echoes.from() + direction * (to_m - advance_m / 2.0).max(0.0);
-            let at = echoes.from() + direction * to_m;
-            let clearance_m = echoes.clearance_m(at);
-            if clearance_m.min(echoes.clearance_m(midway)) < self.settings.shortcut_clearance_m {
-                return None;
-            }
-            // Eq. (5.6), (5.7) at the places the steps would lead to; the last counts for its share.
-            let safety = (clearance_m / self.settings.reward.close_m - 1.0).min(0.0);
-            let error_rad = wrap_angle(angle(self.goal - at) - heading_rad);
-            sum += (to_m - driven_m) / advance_m * (safety - error_rad.abs() / PI);
+            let midway = from + direction * (to_m - advance_m / 2.0).max(0.0);
+            let share = (to_m - driven_m) / advance_m;
+            sum += share * self.step_to(from + direction * to_m, midway, heading_rad, views)?;
             driven_m = to_m;
         }
         Some(sum)
+    }
+
+    /// Reinforcement of a step that ends at a place; none when the echoes do not leave room.
+    fn step_to(
+        &self,
+        at: Vec2,
+        midway: Vec2,
+        heading_rad: f64,
+        views: &[&Echoes<'_>],
+    ) -> Option<f64> {
+        let clearance_m =
+            |place| views.iter().map(|view| view.clearance_m(place)).fold(f64::INFINITY, f64::min);
+        let at_end_m = clearance_m(at);
+        if at_end_m.min(clearance_m(midway)) < self.settings.shortcut_clearance_m {
+            return None;
+        }
+        // Eq. (5.6), (5.7) at the places the steps would lead to; the last counts for its share.
+        let safety = (at_end_m / self.settings.reward.close_m - 1.0).min(0.0);
+        let error_rad = wrap_angle(angle(self.goal - at) - heading_rad);
+        Some(safety - error_rad.abs() / PI)
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "below the step cap, a u32")]

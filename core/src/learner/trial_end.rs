@@ -71,6 +71,9 @@ pub(super) fn close(
     // Eq. (5.27): R(n) = Σ_t r(t)
     let total: f64 = path.iter().map(|step| step.reinforcement).sum();
     let record = reached_goal && memory.best.is_none_or(|best| total > best);
+    if reached_goal {
+        memory.first_success.get_or_insert(memory.trials + 1);
+    }
     let mut changes = Changes { record, ..Changes::default() };
     if record {
         memory.best = Some(total);

@@ -39,6 +39,19 @@ impl Body {
         vec![Vec2::new(x, y), Vec2::new(-x, y), Vec2::new(-x, -y), Vec2::new(x, -y)]
     }
 
+    /// Distance from the outline to a point, metres; not above 0 inside a circle, 0 inside a rectangle.
+    #[must_use]
+    pub fn distance_m(&self, position: Vec2, direction: Vec2, point: Vec2) -> f64 {
+        match *self {
+            Self::Round { radius_m } => (point - position).norm() - radius_m,
+            Self::Box { half_length_m, half_width_m } => {
+                let half = Vec2::new(half_length_m, half_width_m);
+                let within = rotate(point - position, Vec2::new(direction.x, -direction.y));
+                outside(half, within).norm()
+            }
+        }
+    }
+
     /// Distance from the outline to the nearest wall surface, metres; not above 0 when it touches one.
     #[must_use]
     pub fn clearance_m(&self, world: &World, position: Vec2, direction: Vec2) -> f64 {
@@ -139,6 +152,23 @@ mod tests {
         ] {
             let found_m = TRC.clearance_m(&room, Vec2::new(x, y), unit(heading_rad));
             assert!((found_m - expected_m).abs() < 1e-12, "{case}: {found_m}");
+        }
+    }
+
+    #[test]
+    fn a_point_is_as_far_as_from_the_nearest_side_or_corner() {
+        let round = Body::Round { radius_m: 0.265 };
+        let (at, north) = (Vec2::new(1.0, 2.0), Vec2::y());
+        // Facing north the sides are 0.35 m to the east and the front is 0.375 m to the north.
+        for (body, point, expected_m) in [
+            (round, [1.0, 3.0], 1.0 - 0.265),
+            (TRC, [1.0, 3.0], 1.0 - 0.375),
+            (TRC, [2.0, 2.0], 1.0 - 0.35),
+            (TRC, [1.0 + 0.35 + 0.3, 2.0 + 0.375 + 0.4], 0.5),
+            (TRC, [1.1, 2.1], 0.0),
+        ] {
+            let found_m = body.distance_m(at, north, Vec2::from(point));
+            assert!((found_m - expected_m).abs() < 1e-12, "{body:?} {point:?}: {found_m}");
         }
     }
 

@@ -118,7 +118,7 @@ const TICK_COLUMNS: [Column<TickView>; 47] = [
     column("reflex_rotation_deg", "rotation of the reflex, when it was asked", |t| {
         optional(t.reflex.map(|reflex| reflex.rotation_deg))
     }),
-    column("source", "network, reflex or after-rescue", |t| t.source.clone()),
+    column("source", "network, reflex, after-rescue, sidestep or escape", |t| t.source.clone()),
     column("neuron", "neuron in charge", |t| optional(t.neuron)),
     column("utility", "its utility u", |t| optional(t.utility)),
     column("prototypical_deg", "its prototypical action p", |t| t.prototypical_deg.to_string()),

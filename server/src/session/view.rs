@@ -158,6 +158,8 @@ fn source(source: ActionSource) -> &'static str {
         ActionSource::Network => "network",
         ActionSource::Reflex => "reflex",
         ActionSource::AfterRescue => "after-rescue",
+        ActionSource::Sidestep => "sidestep",
+        ActionSource::Escape => "escape",
     }
 }
 

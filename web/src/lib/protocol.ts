@@ -346,7 +346,7 @@ utility: number | null,
 aim: AimView | null,
 /** The stochastic unit, Eq. (5.12)-(5.16). */
 exploration: ExplorationView,
-/** `network`, `reflex` or `after-rescue`. */
+/** `network`, `reflex`, `after-rescue`, `sidestep` or `escape`. */
 source: string,
 /** Action α, degrees, Eq. (5.15). */
 action_deg: number,

@@ -2,7 +2,7 @@
 
 use super::{Acting, Learner, Situation};
 use crate::control::ReflexTrace;
-use crate::geometry::{angle, unit};
+use crate::geometry::{angle, unit, wrap_angle};
 use crate::learner::trial_end::PathStep;
 use crate::learner::{Aim, Carry, FirstAction, Neuron, NeuronId, Origin};
 
@@ -41,7 +41,11 @@ impl Learner {
     ) -> Heritage {
         if self.may_inherit(situation) {
             let shortcut = self.path.last().and_then(|past| self.carry_on(situation, past));
-            let neighbour = || nearest.and_then(|nearest| self.neighbour(nearest));
+            let neighbour = || {
+                let heritage = nearest.and_then(|nearest| self.neighbour(nearest))?;
+                let heading_rad = wrap_angle(heritage.prototypical_rad + situation.frame_rad);
+                self.has_room(situation, heading_rad).then_some(heritage)
+            };
             if let Some(heritage) = shortcut.or_else(neighbour) {
                 return heritage;
             }
@@ -66,7 +70,10 @@ impl Learner {
         let aim = past.aim?;
         let left_m = (aim.point() - situation.observation.pose.position()).norm();
         if left_m <= REACHED * self.settings.advance_m {
-            return self.hand_over(aim.then?);
+            return match aim.after_bend() {
+                Some(next) => self.bend(situation, past, next),
+                None => self.hand_over(aim.then?),
+            };
         }
         if !self.is_free(situation, aim) {
             return None;
@@ -77,6 +84,17 @@ impl Learner {
             prototypical_rad: past.action_rad,
             mean_deg: past.mean_deg,
             aim: Some(aim),
+        })
+    }
+
+    /// A3: the second leg begins; the new neuron starts with its direction, so that nothing is clipped.
+    fn bend(&self, situation: &Situation<'_>, past: &PathStep, next: Aim) -> Option<Heritage> {
+        let way = next.point() - situation.observation.pose.position();
+        self.is_free(situation, next).then(|| Heritage {
+            origin: Origin::Inherited { parent: past.neuron },
+            prototypical_rad: wrap_angle(angle(way) - situation.frame_rad),
+            mean_deg: 0.0,
+            aim: Some(next),
         })
     }
 

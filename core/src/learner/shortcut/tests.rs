@@ -1,6 +1,6 @@
 use super::*;
 use crate::experiment::Settings;
-use crate::geometry::Pose;
+use crate::geometry::{Pose, unit};
 use crate::learner::memory::Start;
 use crate::learner::{Birth, BirthCause, NeuronId, Origin};
 use crate::robot::examples::b21;
@@ -53,9 +53,17 @@ fn memory(settings: &LearnerSettings, utilities: &[f64]) -> Memory {
 }
 
 fn first(settings: &LearnerSettings, utilities: &[f64], path: &[PathStep]) -> Option<Proposal> {
+    first_to(settings, utilities, path, Vec2::new(1.0, 0.0))
+}
+
+fn first_to(
+    settings: &LearnerSettings,
+    utilities: &[f64],
+    path: &[PathStep],
+    goal: Vec2,
+) -> Option<Proposal> {
     let (robot, memory): (_, Memory) = (b21(), memory(settings, utilities));
     let robot: &Robot = &robot;
-    let goal = Vec2::new(1.0, 0.0);
     let surveyor = Surveyor { settings, robot, goal, memory: &memory, path };
     surveyor.survey().into_iter().find(|(t, _)| *t == 0).map(|(_, proposal)| proposal)
 }
@@ -95,6 +103,9 @@ fn nothing_is_proposed_beyond_the_temperature() {
     let mut settings = LearnerSettings::from(&Settings::default());
     // Both points in view lie more than 20° to the left of p = 0.
     settings.temperature_max_deg = 20.0;
+    let found = first(&settings, &[-3.0, -2.0, -0.2], &path(&DETOUR, 0.5)).expect("a bend");
+    assert!(found.aim.beyond.is_some() && found.after_deg.abs() <= 20.0, "{found:?}");
+    settings.shortcut_bend = false;
     assert_eq!(first(&settings, &[-3.0, -2.0, -0.2], &path(&DETOUR, 0.5)), None);
 }
 
@@ -110,4 +121,42 @@ fn a_point_that_cost_clearance_is_moved_off_the_wall() {
     let still = LearnerSettings { shortcut_push: false, ..settings };
     let found = first(&still, &[-3.0, -9.0, -0.2], &path).expect("a proposal");
     assert!((found.aim.y_m - 0.2).abs() < 1e-12);
+}
+
+/// Up, and then past a wall to the right; the goal lies beyond the end.
+const ROUND: [[f64; 2]; 4] = [[0.0, 0.0], [0.2, 1.0], [2.0, 1.0], [3.0, 0.6]];
+
+/// The round path, with an echo 1.265 m from the centre that hides its third point from the first.
+fn round() -> Vec<PathStep> {
+    let mut path = path(&ROUND, 0.5);
+    path[0].sonar_m[2] = 1.0;
+    path
+}
+
+#[test]
+fn a_way_bends_where_both_ends_see_the_bend() {
+    let settings = LearnerSettings::from(&Settings::default());
+    let (utilities, goal) = ([-9.0, -8.0, -0.1], Vec2::new(4.0, 0.0));
+    let found = first_to(&settings, &utilities, &round(), goal).expect("a proposal");
+    let straight = LearnerSettings { shortcut_bend: false, ..settings.clone() };
+    let known = first_to(&straight, &utilities, &round(), goal).expect("a proposal");
+    assert_eq!(known.aim.beyond, None);
+    assert!(found.straight + found.utility > known.straight + known.utility + 0.1);
+    let end = found.aim.after_bend().expect("it bends");
+    assert_eq!((end.point(), found.utility), (Vec2::new(2.0, 1.0), -0.1));
+    // Neither leg comes nearer to the echoes than the body's radius and the clearance asked for.
+    for (reading_m, bearing_deg) in [(0.5, 0.0_f64), (1.0, 30.0)] {
+        let echo = unit(bearing_deg.to_radians()) * (0.265 + reading_m);
+        for (from, to) in [(Vec2::zeros(), found.aim.point()), (found.aim.point(), end.point())] {
+            let near_m = (0..=100)
+                .map(|k| (from + (to - from) * (f64::from(k) / 100.0) - echo).norm())
+                .fold(f64::INFINITY, f64::min);
+            assert!(near_m >= 0.265 + 0.1 - 0.01, "{near_m} m from {from} to {to}");
+        }
+    }
+    // Blind at its end, nobody saw the second leg.
+    let mut blind = round();
+    blind[2].sonar_m = Readings::from_iter([0.1; 24]);
+    let found = first_to(&settings, &utilities, &blind, goal).expect("a proposal");
+    assert_eq!(found.aim.beyond, None);
 }

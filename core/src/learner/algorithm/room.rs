@@ -1,0 +1,85 @@
+//! Room for the next step, as the echoes show it, and the step aside (addition A4).
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::{Learner, Situation};
+use crate::geometry::{Pose, unit, wrap_angle};
+use crate::learner::echoes::Echoes;
+
+/// Directions tried lie this far apart, radians: as the sonars of the ring do.
+pub(super) const FAN_RAD: f64 = FRAC_PI_2 / 6.0;
+/// Directions tried to either side, up to a right angle.
+const ASIDE: u32 = 6;
+/// Steps whose near echoes a robot without a ring remembers: it does not see what is beside it.
+const REMEMBERED: usize = 20;
+/// Echoes are remembered up to here, metres: the farther off, the less a cone tells where it was.
+const NEAR_M: f64 = 0.5;
+/// Shares of a rotation, and of the advance after it, at which the room is looked at.
+const SHARES: [f64; 2] = [0.5, 1.0];
+
+/// What the robot takes to be around it.
+pub(super) struct Room<'a> {
+    echoes: Echoes<'a>,
+    pose: Pose,
+    advance_m: f64,
+    /// Clearance asked for, metres.
+    least_m: f64,
+}
+
+impl Room<'_> {
+    /// Whether turning to a heading and advancing keeps the clearance asked for, or where there is
+    /// less, does not lessen it.
+    pub(super) fn is_free(&self, heading_rad: f64) -> bool {
+        let here = self.pose.position();
+        let rotation_rad = wrap_angle(heading_rad - self.pose.heading_rad);
+        let clearance_m = |at, heading_rad| self.echoes.outline_m(at, heading_rad);
+        let asked_m = self.least_m.min(clearance_m(here, self.pose.heading_rad));
+        let turns = |share: &f64| {
+            clearance_m(here, self.pose.heading_rad + share * rotation_rad) >= asked_m
+        };
+        let advances = |share: &f64| {
+            let at = here + unit(heading_rad) * (share * self.advance_m);
+            clearance_m(at, heading_rad) >= asked_m
+        };
+        SHARES.iter().all(advances) && SHARES.iter().all(turns)
+    }
+}
+
+impl Learner {
+    /// What is around the robot, with a clearance asked for.
+    pub(super) fn room<'a>(&'a self, situation: &'a Situation<'_>, least_m: f64) -> Room<'a> {
+        let observation = situation.observation;
+        let (pose, advance_m) = (observation.pose, self.settings.advance_m);
+        let mut echoes = self.settings.echoes(&self.robot, pose, &observation.sonar_m);
+        if !self.robot.has_even_ring() {
+            for past in self.path.iter().rev().take(REMEMBERED) {
+                echoes.hear(past.pose, &past.sonar_m, NEAR_M);
+            }
+        }
+        for place in self.escape.touched() {
+            echoes.touch(*place);
+        }
+        Room { echoes, pose, advance_m, least_m }
+    }
+
+    /// A4: whether what a new neuron would copy leaves room; one that has none asks the reflex.
+    pub(super) fn has_room(&self, situation: &Situation<'_>, heading_rad: f64) -> bool {
+        let least_m = self.settings.sidestep_m;
+        least_m <= 0.0 || self.room(situation, least_m).is_free(heading_rad)
+    }
+
+    /// NOTE (A4): the thesis lets the winner act whatever the sonars say, and pays for the collision;
+    /// here the heading nearest to its own that leaves room for the next step is taken, once a trial
+    /// has succeeded. None when its own does, or no other is better.
+    pub(super) fn sidestep(&self, situation: &Situation<'_>, heading_rad: f64) -> Option<f64> {
+        if self.settings.sidestep_m <= 0.0 || self.memory.best.is_none() {
+            return None;
+        }
+        let room = self.room(situation, self.settings.sidestep_m);
+        if room.is_free(heading_rad) {
+            return None;
+        }
+        let aside = (1..=ASIDE).map(f64::from).flat_map(|k| [k * FAN_RAD, -k * FAN_RAD]);
+        aside.map(|by_rad| wrap_angle(heading_rad + by_rad)).find(|turned| room.is_free(*turned))
+    }
+}
