@@ -47,6 +47,12 @@ fn point(trial: u32, values: &[Option<f64>]) -> ReproductionPoint {
     }
 }
 
+/// A point that nothing was sampled for.
+pub(super) fn unsampled(x: f64, value: f64) -> ReproductionPoint {
+    let mean = Some(value);
+    ReproductionPoint { x, mean, low: None, high: None, least: None, greatest: None, n: 0 }
+}
+
 /// A point without bars: the mean of a sample with its interval.
 pub(super) fn mean_at(x: f64, sample: &[f64]) -> ReproductionPoint {
     let mean = Estimate::mean(sample);

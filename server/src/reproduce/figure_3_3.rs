@@ -4,8 +4,9 @@ use sonarium_core::experiment::{HorizonRun, HorizonSettings, Model};
 use sonarium_core::stats::Verdict;
 use sonarium_core::tabular::{Chain, Crossing};
 
+use super::curve::unsampled;
 use super::{Arm, Findings, NO_SEEDS, ReproductionError, Row, Sets, Target, Unit};
-use crate::wire::{ReproductionCurve, ReproductionPoint, ReproductionRow};
+use crate::wire::{ReproductionCurve, ReproductionRow};
 
 /// Figure 3.3.
 pub static FIGURE_3_3: Target = Target {
@@ -98,16 +99,10 @@ fn curves(arm: &Arm, policy: usize) -> Vec<ReproductionCurve> {
         points: steps
             .iter()
             .filter(|step| step.model == model)
-            .map(|step| point(step.parameter, step.values[policy]))
+            .map(|step| unsampled(step.parameter, step.values[policy]))
             .collect(),
     };
     plots.map(curve).into()
-}
-
-/// A point that nothing was sampled for.
-fn point(x: f64, value: f64) -> ReproductionPoint {
-    let mean = Some(value);
-    ReproductionPoint { x, mean, low: None, high: None, least: None, greatest: None, n: 0 }
 }
 
 const FINITE: Row<'_> = Row {

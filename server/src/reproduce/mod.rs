@@ -11,7 +11,11 @@ mod ablations;
 mod carry_over;
 mod csv;
 mod curve;
+mod drives;
 mod episodes;
+mod experiments_2_9;
+mod figure_2_10;
+mod figure_2_5;
 mod figure_3_3;
 mod figure_4_12;
 mod figure_5_10;
@@ -36,7 +40,11 @@ pub use ablations::ABLATIONS;
 pub use carry_over::CARRY_OVER;
 pub use csv::{curves_csv, rows_csv};
 pub use curve::curve;
+pub use drives::{Drive, Drives, Moment};
 pub use episodes::Course;
+pub use experiments_2_9::EXPERIMENTS_2_9;
+pub use figure_2_5::FIGURE_2_5;
+pub use figure_2_10::FIGURE_2_10;
 pub use figure_3_3::FIGURE_3_3;
 pub use figure_4_12::FIGURE_4_12;
 pub use figure_5_8::FIGURE_5_8;
@@ -80,6 +88,9 @@ pub static TARGETS: &[&Target] = &[
     &FIGURE_4_12,
     &SEARCH_SPACE_4_9,
     &FIGURE_3_3,
+    &FIGURE_2_5,
+    &FIGURE_2_10,
+    &EXPERIMENTS_2_9,
 ];
 
 /// How verdicts on published figures are found.
@@ -121,7 +132,7 @@ pub struct Target {
     pub unit: Unit,
     /// Trials of a set, or of an episode.
     pub trials: u32,
-    /// Seeds, one a set or experiment; [`NO_SEEDS`] where nothing is drawn.
+    /// Seeds, one a set, experiment or run; [`NO_SEEDS`] where nothing is drawn.
     pub seeds: RangeInclusive<u64>,
     /// Runs the arms and says what is found in them.
     pub find: fn(&Target, &Sets<'_>) -> Result<Findings, ReproductionError>,
@@ -134,6 +145,8 @@ pub enum Unit {
     Set,
     /// An experiment of ten episodes, as behind every point of figures 4.10-4.12.
     Experiment,
+    /// A run of chapter 2.
+    Run,
 }
 
 /// One of the learners, or one of the worlds, that a target compares.
@@ -206,12 +219,13 @@ impl Unit {
         match self {
             Self::Set => "set",
             Self::Experiment => "experiment",
+            Self::Run => "run",
         }
     }
 }
 
 impl Target {
-    /// Sets or experiments for each arm; none where nothing is drawn.
+    /// Sets, experiments or runs for each arm; none where nothing is drawn.
     #[must_use]
     pub fn sets(&self) -> u32 {
         u32::try_from(self.seeds.clone().count()).unwrap_or(u32::MAX)
@@ -223,12 +237,13 @@ impl Target {
         let (name, trials) = (self.unit.name(), self.trials);
         let (first, last) = (self.seeds.start(), self.seeds.end());
         let inside = match self.unit {
-            Unit::Set => format!("{trials} trials"),
-            Unit::Experiment => format!("{EPISODES} episodes of {trials} trials"),
+            Unit::Set => format!(" of {trials} trials"),
+            Unit::Experiment => format!(" of {EPISODES} episodes of {trials} trials"),
+            Unit::Run => String::new(),
         };
         match self.sets() {
             0 => "computed exactly, nothing is drawn at random".to_owned(),
-            sets => format!("{sets} {name}s of {inside} an arm, seeds {first}..{last}"),
+            sets => format!("{sets} {name}s{inside} an arm, seeds {first}..{last}"),
         }
     }
 
@@ -238,7 +253,7 @@ impl Target {
         self.rules.join(". ")
     }
 
-    /// Sets or experiments of all arms.
+    /// Sets, experiments or runs of all arms.
     #[must_use]
     pub fn work(&self) -> u32 {
         self.sets() * u32::try_from(self.arms.len()).unwrap_or(u32::MAX)
@@ -266,8 +281,9 @@ impl Target {
         }
     }
 
-    /// Runs everything on `threads` threads, saying `done` after each set or experiment, and judges the outcome. The result
-    /// depends neither on the threads nor on their order, on what is kept, nor on worlds of the user's.
+    /// Runs everything on `threads` threads, saying `done` after each set, experiment or run, and judges
+    /// the outcome. The result depends neither on the threads nor on their order, on what is kept, nor on
+    /// worlds of the user's.
     ///
     /// # Errors
     /// When an embedded preset or world is broken.

@@ -158,14 +158,19 @@ impl Sets<'_> {
     /// # Errors
     /// When the arm's settings do not fit.
     pub fn plan(&self, target: &Target, arm: &Arm) -> Result<Plan, ReproductionError> {
-        Ok(self.catalog.resolve(&NewSession {
-            experiment: target.experiment.into(),
-            seed: Some(*target.seeds.start()),
-            settings: arm.values(),
-            trials: Some(target.trials),
-            speed: None,
-            network: None,
-        })?)
+        Ok(self.catalog.resolve(&request(target, arm))?)
+    }
+}
+
+/// What an arm asks for, with the first seed.
+pub(super) fn request(target: &Target, arm: &Arm) -> NewSession {
+    NewSession {
+        experiment: target.experiment.into(),
+        seed: Some(*target.seeds.start()),
+        settings: arm.values(),
+        trials: Some(target.trials),
+        speed: None,
+        network: None,
     }
 }
 

@@ -170,6 +170,10 @@ fn names_are_unique_and_every_arm_fits() {
             if [MINIMUM_COST_PATH, MINIMUM_COST_PATH_TRC].contains(&target.experiment) {
                 sets.plan(target, arm).unwrap_or_else(|error| panic!("{}: {error}", target.name));
             }
+            if target.unit == Unit::Run {
+                let plan = sets.drive_plan(target, arm);
+                plan.unwrap_or_else(|error| panic!("{}: {error}", target.name));
+            }
         }
     }
 }

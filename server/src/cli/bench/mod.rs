@@ -3,6 +3,7 @@
 mod client;
 mod cpu;
 mod headless;
+mod navigation;
 mod nn;
 mod room;
 mod server;
@@ -16,14 +17,16 @@ use super::{Failure, output};
 use crate::render;
 
 /// What can be measured.
-const TASKS: [&str; 10] =
-    ["run", "run-log", "office", "maze", "dyna", "sonar", "nn", "render", "live", "memory"];
+const TASKS: [&str; 13] = [
+    "run", "run-log", "office", "maze", "dyna", "sonar", "fuzzy", "kalman", "corridor", "nn",
+    "render", "live", "memory",
+];
 
 #[derive(Args, Debug)]
 pub(super) struct Arguments {
     /// What to measure: run (control steps, and the CPU time of a set of 20 trials), run-log (with
     /// the log), office (a step among thousands of walls), maze (Q-learning with softmax in 16 states),
-    /// dyna (backups with 50 planning steps), sonar (a robot with 24 sonars in a room of 30 walls), nn (the nearest of up to 10,000 centres), render, live, memory or all
+    /// dyna (backups with 50 planning steps), sonar (a robot with 24 sonars in a room of 30 walls), fuzzy (a base of 972 rules), kalman (the filter over a window), corridor (a run of chapter 2), nn (the nearest of up to 10,000 centres), render, live, memory or all
     task: String,
     /// Results are always one JSON object a line; taken so that every command takes it
     #[arg(long)]
@@ -69,6 +72,9 @@ fn measure(task: &'static str) -> Result<Vec<Line>, Failure> {
         "maze" => tabular::maze(),
         "dyna" => tabular::dyna(),
         "sonar" => sonar::run(),
+        "fuzzy" => navigation::fuzzy(),
+        "kalman" => navigation::kalman(),
+        "corridor" => navigation::corridor(),
         "nn" => nn::run(),
         "live" => server::live(),
         "memory" => server::memory(),
