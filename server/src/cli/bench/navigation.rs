@@ -13,8 +13,10 @@ use crate::batch;
 use crate::catalog::{Catalog, Job, PlainPlan};
 use crate::wire::NewSession;
 
-/// Inputs of the rule base, or windows, between two looks at the time, and passes over them.
-const BATCH: usize = 4096;
+/// Inputs of the rule base and windows at a time, as many as in the comparison, and passes over them between
+/// two looks at the time.
+const INPUTS: usize = 4096;
+const WINDOWS: usize = 1024;
 const PASSES: u64 = 16;
 
 /// Rules of the comparison: five inputs with three sets, one with four.
@@ -25,18 +27,18 @@ const KNOWN: [f64; MOST_INPUTS] = [0.25, 0.5, 0.7, 0.33, 0.9, 0.45];
 /// The workload of the comparison: 972 rules with two outputs, inputs spread evenly.
 pub(super) fn fuzzy() -> Result<Vec<Line>, Failure> {
     let base = RuleBase::parse(&rules()).map_err(failed)?;
-    let inputs = evenly::<MOST_INPUTS>();
-    let mut outputs = vec![[0.0; MOST_OUTPUTS]; BATCH];
+    let inputs = evenly::<MOST_INPUTS>(INPUTS);
+    let mut outputs = vec![[0.0; MOST_OUTPUTS]; INPUTS];
     let measured = cpu::per_second(|| {
         for _ in 0..PASSES {
             base.evaluate_each(black_box(&inputs), &mut outputs);
             black_box(&outputs);
         }
-        Ok(PASSES * BATCH as u64)
+        Ok(PASSES * INPUTS as u64)
     })?;
     let [y0, y1] = base.evaluate(&KNOWN);
     let note = format!(
-        "972 rules, product, weighted mean, two outputs, f64; {BATCH} inputs at a time; one thread, CPU time; \
+        "972 rules, product, weighted mean, two outputs, f64; {INPUTS} inputs at a time; one thread, CPU time; \
          check {y0:.5} {y1:.5}"
     );
     Ok(vec![Line::new("3-fuzzy", "972 rules", "evals/s", measured, &note)])
@@ -79,26 +81,26 @@ pub(super) fn kalman() -> Result<Vec<Line>, Failure> {
     let first = expected * (1.0 - expected / (expected + measurement));
     let gains = Gains::new(first, process, measurement, WINDOW);
     let windows: Vec<[[f64; REGIONS]; WINDOW]> = {
-        let readings = evenly::<{ REGIONS * WINDOW }>();
+        let readings = evenly::<{ REGIONS * WINDOW }>(WINDOWS);
         let window = |all: &[f64; REGIONS * WINDOW]| {
             std::array::from_fn(|k| std::array::from_fn(|region| all[k * REGIONS + region]))
         };
         readings.iter().map(window).collect()
     };
-    let mut estimates = vec![[0.0; REGIONS]; BATCH];
+    let mut estimates = vec![[0.0; REGIONS]; WINDOWS];
     let measured = cpu::per_second(|| {
         for _ in 0..PASSES {
             gains.estimate_each(black_box(&windows), &mut estimates);
             black_box(&estimates);
         }
-        Ok(PASSES * BATCH as u64)
+        Ok(PASSES * WINDOWS as u64)
     })?;
     let known: [[f64; REGIONS]; WINDOW] = std::array::from_fn(|k| {
         std::array::from_fn(|region| (REGIONS * k + region + 1) as f64 / 16.0)
     });
     let check = gains.estimate(&known);
     let note = format!(
-        "5 regions, a window of 3 readings, the gains computed once, f64; {BATCH} windows at a time; one thread, \
+        "5 regions, a window of 3 readings, the gains computed once, f64; {WINDOWS} windows at a time; one thread, \
          CPU time; check {:.5} {:.5}",
         check[0],
         check[REGIONS - 1]
@@ -107,9 +109,9 @@ pub(super) fn kalman() -> Result<Vec<Line>, Failure> {
 }
 
 /// Numbers from 0 to 1, the same in every measurement.
-fn evenly<const N: usize>() -> Vec<[f64; N]> {
+fn evenly<const N: usize>(count: usize) -> Vec<[f64; N]> {
     let mut rng = stream(7, 0, Purpose::Start);
-    (0..BATCH).map(|_| std::array::from_fn(|_| rng.random_range(0.0..1.0))).collect()
+    (0..count).map(|_| std::array::from_fn(|_| rng.random_range(0.0..1.0))).collect()
 }
 
 /// Seeds of the runs down the corridor.
