@@ -1489,12 +1489,12 @@ blind: number | null, };
 
 /** How the methods stand. */
 export type DriveScores = {
-/** Runs that every method has done. */
+/** Runs that every method has done, without those that an operator changed. */
 runs_done: number,
 /** The methods, in their order. */
 methods: Array<MethodSummary>, };
 
-/** How one method stands over its runs. */
+/** How one method stands over those of its runs that no operator changed. */
 export type MethodSummary = {
 /** The method. */
 method: string,
