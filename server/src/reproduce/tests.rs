@@ -106,8 +106,9 @@ fn the_seeds_make_the_result() {
     let figures =
         |target: &Target| run(target, 2).rows.iter().map(|row| row.ours).collect::<Vec<f64>>();
     assert_ne!(figures(&others), figures(&few_sets()), "other seeds, other figures");
-    let steps = run(&few_sets(), 2).rows.into_iter().find(|row| row.name.contains("steps, var"));
-    assert!(steps.is_some_and(|row| row.ours > 0.0), "each set has a seed of its own");
+    let spread =
+        run(&few_sets(), 2).rows.into_iter().find(|row| row.name.contains("reinforcement, var"));
+    assert!(spread.is_some_and(|row| row.ours > 0.0), "each set has a seed of its own");
 }
 
 #[test]
