@@ -78,7 +78,8 @@ function action(tick: TickView): string {
   const turn = turnWords(tick.rotation_deg);
   if (tick.source === 'reflex') return `The bare reflex drove: ${turn}`;
   if (tick.source === 'after-rescue') return `After the rescue the reflex chose this step: ${turn}`;
-  if (tick.source === 'sidestep') return `The echoes left no room, so the robot stepped aside: ${turn}`;
+  if (tick.source === 'sidestep')
+    return `The echoes left no room, so the robot stepped aside: ${turn}`;
   if (tick.source === 'escape') return `Stuck, the robot went along the obstacle: ${turn}`;
   if (tick.aim && tick.exploration.temperature_deg > 0)
     return `Neuron ${tick.neuron} drove along a shortcut to ${place(tick.aim)}: ${turn}`;
