@@ -8,12 +8,12 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::archive::{Archive, ArchiveError};
+use super::closing::closing;
 use super::command::repeat_command;
 use super::csv::line;
 use super::differences::Differences;
 use super::number::{NOTHING, fixed, fixed_or_nothing, state_text, time_text};
 use super::page::{Heading, facts, number, numbers, page, table, words};
-use super::session_tables::{differences_tables, events_table, preset_table, settings_table};
 use super::{FORMAT_VERSION, RunInfo};
 use crate::wire::{
     DriveOutcome, DriveRunView, DriveScore, DriveScores, LogEntry, MeasureView, MethodScoreView,
@@ -55,28 +55,7 @@ pub fn drive_html(report: &DriveReport) -> String {
         (heading(report))
         section { h2 { "Methods" } (methods_table(&report.scores)) }
         section { h2 { "Runs" } (runs_table(&report.runs)) }
-        section {
-            h2 { "Differences from the thesis" }
-            p { "How this run reads the thesis, setting by setting." }
-            (differences_tables(&Differences::of(report.run())))
-        }
-        section {
-            h2 { "Settings" }
-            (settings_table(report.run()))
-            (preset_table(&report.preset))
-        }
-        section {
-            h2 { "How to repeat this run" }
-            pre { code { (repeat_command(report.run())) } }
-            p class="note" {
-                "The same build (" code { (report.session.build) } ") gives the same runs to the bit, at any "
-                "pace, as long as nobody changes the method or silences a sonar on the way."
-            }
-        }
-        section { h2 { "Events" } (events_table(&report.events)) }
-        footer class="note" {
-            "Report written by Sonarium " (report.build) ". Lengths are metres, angles degrees, times UTC."
-        }
+        (closing(report.run(), "runs", "changes the method or silences a sonar", &report.events, &report.build))
     };
     page(&title, body)
 }

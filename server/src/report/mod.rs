@@ -5,6 +5,7 @@
 //! module: [`html`], [`csv`], [`json`], and [`zip`] for all of them together.
 
 mod archive;
+mod closing;
 mod command;
 mod csv;
 mod curve;

@@ -8,13 +8,13 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::archive::{Archive, ArchiveError};
+use super::closing::closing;
 use super::command::repeat_command;
 use super::csv::line;
 use super::curve::{Chart, Series};
 use super::differences::Differences;
 use super::number::{NOTHING, fixed, fixed_or_nothing, grouped, state_text, time_text};
 use super::page::{Heading, KeyNumber, facts, key_numbers, number, numbers, page, table, words};
-use super::session_tables::{differences_tables, events_table, preset_table, settings_table};
 use super::{FORMAT_VERSION, RunInfo};
 use crate::wire::{
     CompetitorCurve, EpisodeView, IntervalView, LogEntry, OutcomeOfEpisode, PointView, PresetInfo,
@@ -70,26 +70,7 @@ pub fn table_html(report: &TableReport) -> String {
         } @else {
             (plots(report.points()))
         }
-        section {
-            h2 { "Differences from the thesis" }
-            p { "How this run reads the thesis, setting by setting." }
-            (differences_tables(&Differences::of(report.run())))
-        }
-        section {
-            h2 { "Settings" }
-            (settings_table(report.run()))
-            (preset_table(&report.preset))
-        }
-        section {
-            h2 { "How to repeat this run" }
-            pre { code { (repeat_command(report.run())) } }
-            p class="note" {
-                "The same build (" code { (report.session.build) } ") gives the same episodes to the bit, at "
-                "any pace, as long as nobody advises the learner or edits its values on the way."
-            }
-        }
-        section { h2 { "Events" } (events_table(&report.events)) }
-        footer class="note" { "Report written by Sonarium " (report.build) ". Times are UTC." }
+        (closing(report.run(), "episodes", "advises the learner or edits its values", &report.events, &report.build))
     };
     page(&title, body)
 }
