@@ -98,6 +98,10 @@ fn the_command_line_refuses_bad_input_and_names_the_field() {
         (vec!["run", "labyrinth", "--set", "exploration.first=0"], vec!["0.001 to 1000"]),
         (vec!["run", "labyrinth", "--set", "belief.matrix=[[1,2]]"], vec!["matrix", "16 rows"]),
         (vec!["run", "labyrinth", "--network", "net.json"], vec!["--network"]),
+        (
+            vec!["run", "gridworld", "--set", "world=repair", "--set", "bias.reflex=true"],
+            vec!["settings.bias.reflex", "does not offer a reflex"],
+        ),
         (vec!["run", "horizon", "--trials", "5"], vec!["trials"]),
         (vec!["run", EXPERIMENT, "--seeds", "9..3"], vec!["seeds"]),
         (vec!["run", EXPERIMENT, "--config", broken], vec!["line 1"]),

@@ -18,8 +18,8 @@ pub(super) struct Biases {
 }
 
 /// A bias that this world does not offer.
-fn missing(what: &'static str) -> WalkError {
-    WalkError::NoKnowledge { what }
+fn missing(what: &'static str, setting: &'static str) -> WalkError {
+    WalkError::NoKnowledge { what, setting }
 }
 
 impl Biases {
@@ -51,7 +51,7 @@ impl Biases {
         if let Some(reward) = self.progress {
             let estimate = base.world.knowledge().estimate.clone();
             if estimate.is_empty() {
-                return Err(missing("an estimate of the way to the goal"));
+                return Err(missing("an estimate of the way to the goal", "bias.progress"));
             }
             let shaping = Shaping { progress: Some((estimate, reward)), ..Shaping::default() };
             add("progress estimator", WalkSetup { shaping, ..base.clone() });
@@ -66,7 +66,7 @@ impl Biases {
 fn reflex(world: &AnyWorld, strength: f64, half_life: f64) -> Result<Reflex, WalkError> {
     let actions = world.knowledge().reflex.clone();
     if actions.is_empty() {
-        Err(missing("a reflex"))
+        Err(missing("a reflex", "bias.reflex"))
     } else {
         Ok(Reflex { actions, strength, half_life })
     }
@@ -74,5 +74,9 @@ fn reflex(world: &AnyWorld, strength: f64, half_life: f64) -> Result<Reflex, Wal
 
 fn subgoals(world: &AnyWorld, reward: f64, bump: f64) -> Result<Subgoals, WalkError> {
     let states = world.knowledge().subgoals.clone();
-    if states.is_empty() { Err(missing("subgoals")) } else { Ok(Subgoals { states, reward, bump }) }
+    if states.is_empty() {
+        Err(missing("subgoals", "bias.heterogeneous"))
+    } else {
+        Ok(Subgoals { states, reward, bump })
+    }
 }

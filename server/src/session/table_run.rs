@@ -421,6 +421,9 @@ fn contest_field(error: &ContestError) -> FieldError {
         ContestError::Belief { .. } => "settings.belief.matrix",
         ContestError::Walk(WalkError::Advice(_)) => "settings.advice",
         ContestError::Walk(WalkError::Table(_)) => "settings.learner.table",
+        ContestError::Walk(WalkError::NoKnowledge { setting, .. }) => {
+            return FieldError::new(format!("settings.{setting}"), error.to_string());
+        }
         ContestError::Walk(WalkError::NoModules) => "settings.bias.modules",
         ContestError::Walk(WalkError::World(_)) => "settings.learner.discount",
         ContestError::Walk(_) => "settings",

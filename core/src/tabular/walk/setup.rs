@@ -113,10 +113,12 @@ pub enum WalkError {
     #[error("this world has no modules; mark its rooms with letters a to z")]
     NoModules,
     /// The world does not offer what a bias needs.
-    #[error("this world has no {what}; take another world or switch the bias off")]
+    #[error("this world does not offer {what}; take another world or switch `{setting}` off")]
     NoKnowledge {
         /// What is missing.
         what: &'static str,
+        /// Key of the bias that needs it.
+        setting: &'static str,
     },
     /// A trial is under way.
     #[error("a trial is under way; the world can be changed between trials")]
