@@ -24,33 +24,24 @@ pub(super) fn run(
     progress: &ProgressBar,
     mut take: impl FnMut(RunResult, &Trained) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let lab = Lab::new(catalog, Store::open(folder)?, cores());
-    let backend = Backend::from_environment().map_err(|e| Failure::Input(e.to_string()))?;
-    let renderer = Renderer::start(backend);
-    let runtime = tokio::runtime::Runtime::new()?;
-    // A few more than cores are created ahead, so that no core waits for a report to be written.
-    let mut plans = plans.iter();
-    for batch in requests.chunks(4 * cores()) {
-        let sessions = batch.iter().map(|request| create(&lab, request));
-        let sessions: Vec<Session> = sessions.collect::<Result<_, Failure>>()?;
-        let feeds = sessions.iter().map(|session| lab.feed(&session.id));
-        let feeds = feeds.collect::<Result<Vec<_>, _>>()?;
-        for session in &sessions {
-            runtime.block_on(lab.control(&session.id, Control::Start))?;
-        }
-        for (session, feed) in sessions.iter().zip(feeds) {
-            runtime.block_on(finished(&feed, progress))?;
-            write_reports(Reporter { lab: &lab, renderer: &renderer }, &session.id)?;
-            let starts = plans.next().map(|plan| plan.starts.as_slice());
-            let starts = lab.altered_starts(&session.id, starts)?;
-            let trials = lab.store().trials(&session.id)?;
-            let plan = lab.plan(&session.id)?;
-            let network = lab.trained(&session.id)?;
-            let network = network.unwrap_or_else(|| Trained::new(&plan, 0, Vec::new()));
-            take(result(&plan, trials, starts), &network)?;
-        }
-    }
-    Ok(())
+    each_session(catalog, requests, folder, progress, |index, reporter, id| {
+        let lab = reporter.lab;
+        let report = reporter.session(id)?;
+        write(
+            lab,
+            id,
+            [
+                ("report.html", report::html(&report)),
+                ("report.json", report::json(&report)),
+                ("trials.csv", report::csv(&report)),
+            ],
+        )?;
+        let starts = lab.altered_starts(id, Some(&plans[index].starts))?;
+        let trials = lab.store().trials(id)?;
+        let plan = lab.plan(id)?;
+        let network = lab.trained(id)?.unwrap_or_else(|| Trained::new(&plan, 0, Vec::new()));
+        take(result(&plan, trials, starts), &network)
+    })
 }
 
 /// The same for tabular experiments.
@@ -64,14 +55,15 @@ pub(super) fn run_tables(
 ) -> Result<(), Failure> {
     each_session(catalog, requests, folder, progress, |index, reporter, id| {
         let Some(report) = reporter.table(id)? else { return Ok(()) };
-        let folder = reporter.lab.store().session_folder(id);
-        for (name, text) in [
-            ("report.html", report::table_html(&report)),
-            ("report.json", report::table_json(&report)),
-            ("episodes.csv", report::table_csv(&report)),
-        ] {
-            std::fs::write(folder.join(name), text)?;
-        }
+        write(
+            reporter.lab,
+            id,
+            [
+                ("report.html", report::table_html(&report)),
+                ("report.json", report::table_json(&report)),
+                ("episodes.csv", report::table_csv(&report)),
+            ],
+        )?;
         take(table_result(&plans[index], report.episodes, report.scores))
     })
 }
@@ -87,19 +79,20 @@ pub(super) fn run_drives(
 ) -> Result<(), Failure> {
     each_session(catalog, requests, folder, progress, |index, reporter, id| {
         let Some(report) = reporter.drive(id)? else { return Ok(()) };
-        let folder = reporter.lab.store().session_folder(id);
-        for (name, text) in [
-            ("report.html", report::drive_html(&report)),
-            ("report.json", report::drive_json(&report)),
-            ("runs.csv", report::drive_csv(&report)),
-        ] {
-            std::fs::write(folder.join(name), text)?;
-        }
+        write(
+            reporter.lab,
+            id,
+            [
+                ("report.html", report::drive_html(&report)),
+                ("report.json", report::drive_json(&report)),
+                ("runs.csv", report::drive_csv(&report)),
+            ],
+        )?;
         take(drive_result(&plans[index], report.runs, report.scores))
     })
 }
 
-/// Runs sessions that draw nothing, and hands each over by its number when it is done.
+/// Runs sessions, and hands each over by its number when it is done.
 fn each_session(
     catalog: Catalog,
     requests: &[NewSession],
@@ -108,9 +101,11 @@ fn each_session(
     mut done: impl FnMut(usize, Reporter<'_>, &str) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let lab = Lab::new(catalog, Store::open(folder)?, cores());
-    let renderer = Renderer::start(Backend::Cpu);
+    let backend = Backend::from_environment().map_err(|e| Failure::Input(e.to_string()))?;
+    let renderer = Renderer::start(backend);
     let runtime = tokio::runtime::Runtime::new()?;
     let mut index = 0;
+    // A few more than cores are created ahead, so that no core waits for a report to be written.
     for requests in requests.chunks(4 * cores()) {
         let sessions = requests.iter().map(|request| create(&lab, request));
         let sessions: Vec<Session> = sessions.collect::<Result<_, Failure>>()?;
@@ -151,14 +146,10 @@ async fn finished(feed: &Feed, progress: &ProgressBar) -> Result<(), Failure> {
     }
 }
 
-fn write_reports(reporter: Reporter<'_>, id: &str) -> Result<(), Failure> {
-    let report = reporter.session(id)?;
-    let folder = reporter.lab.store().session_folder(id);
-    for (name, text) in [
-        ("report.html", report::html(&report)),
-        ("report.json", report::json(&report)),
-        ("trials.csv", report::csv(&report)),
-    ] {
+/// Writes the files of a session beside its log.
+fn write(lab: &Lab, id: &str, files: [(&str, String); 3]) -> Result<(), Failure> {
+    let folder = lab.store().session_folder(id);
+    for (name, text) in files {
         std::fs::write(folder.join(name), text)?;
     }
     Ok(())
