@@ -61,6 +61,7 @@ fn scaled<S: Shape>(sets: &[S], activations: &[f64]) -> Option<f64> {
         moment += activation * set.area() * set.centroid();
         area += activation * set.area();
     }
+    // Eq. (2.23): v = (∫ μ_B(x) dx)⁻¹ ∫ x μ_B(x) dx
     (area > 0.0).then(|| moment / area)
 }
 
@@ -79,6 +80,7 @@ fn clipped<S: Shape>(sets: &[S], activations: &[f64]) -> Option<f64> {
         moment += height * value;
         area += height;
     }
+    // Eq. (2.23): v = (∫ μ_B(x) dx)⁻¹ ∫ x μ_B(x) dx
     (area > 0.0).then(|| moment / area)
 }
 

@@ -117,6 +117,7 @@ fn recursion<S: Simd, const N: usize, const W: usize>(
     for lane in whole..N {
         let mut mean = window[0][lane];
         for (reading, gain) in later() {
+            // Algorithm 1: Δμ = G (z(t − n + i) − μ)
             mean += gain * (reading[lane] - mean);
         }
         estimate[lane] = mean;

@@ -1,4 +1,6 @@
 //! A drive with inertia: velocities follow their commands with a lag, and no faster than they can.
+//!
+//! NOTE: the thesis prints no equation of motion for the robot; this one is ours.
 
 use super::DriveSpec;
 use crate::geometry::{Pose, Vec2};
