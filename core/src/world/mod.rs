@@ -43,6 +43,7 @@ use crate::geometry::{Pose, Vec2};
 use nearest::{NearestBody, NearestPoint};
 use ray::Ray;
 use segments::Segments;
+use tree::Seeker;
 
 /// Least radius of a robot that a way to the goal is looked for, metres.
 const LEAST_RADIUS_M: f64 = 0.05;
@@ -255,7 +256,10 @@ impl World {
     #[must_use]
     pub(crate) fn surface_distance_m(&self, point: Vec2) -> f64 {
         let mut nearest = NearestPoint::new(point);
-        self.segments.tree().walk(&mut nearest);
+        match self.segments.tree().few_leaves() {
+            Some(leaves) => leaves.iter().for_each(|leaf| nearest.look(leaf)),
+            None => self.segments.tree().walk(&mut nearest),
+        }
         nearest.distance_m()
     }
 

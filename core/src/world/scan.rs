@@ -19,7 +19,7 @@ use super::bearing::Sector;
 use super::dial::{Dial, Fans, sector_of_fan};
 use super::echoes::{Echoes, Fours, Wall};
 use super::segments::{Leaf, SLACK_M, Segments};
-use super::tree::{LANES, Node, Seeker, lesser};
+use super::tree::{FEW, LANES, Node, Seeker, lesser};
 
 /// Where a fan of rays leaves the body and where its middle ray goes, robot frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -127,7 +127,11 @@ impl RayRing {
             direction,
             least: 1.0 / self.shell.range_m,
         };
-        dispatch!(level, _ => segments.tree().walk(&mut listener));
+        let tree = segments.tree();
+        match tree.few_leaves() {
+            Some(leaves) => dispatch!(level, _ => listener.look_at_all(leaves)),
+            None => dispatch!(level, _ => tree.walk(&mut listener)),
+        }
         self.read(readings_m);
     }
 
@@ -187,6 +191,46 @@ struct Listener<'a> {
 }
 
 impl Listener<'_> {
+    /// Looks at the leaves of a small world, the nearest first, until none matters any more.
+    #[inline(always)]
+    fn look_at_all(&mut self, leaves: &[Leaf]) {
+        // The last bits of a distance carry the index of its leaf while sorting.
+        const INDEX: u64 = FEW as u64 - 1;
+        let mut order = [0; FEW];
+        for (index, leaf) in leaves.iter().enumerate() {
+            let [a, b, c, d] = leaf.distances2(self.position);
+            let nearest2 = lesser(lesser(a, b), lesser(c, d));
+            order[index] = nearest2.to_bits() & !INDEX | index as u64;
+        }
+        let order = &mut order[..leaves.len()];
+        order.sort_unstable();
+        for key in order {
+            let nearest_m = f64::from_bits(*key & !INDEX).sqrt();
+            if self.beyond_shell_m(nearest_m) * self.least > 1.0 {
+                break;
+            }
+            self.look_at(&leaves[(*key & INDEX) as usize], nearest_m);
+        }
+    }
+
+    /// Lets the fans that look there try the walls of a leaf, the nearest of them so far away.
+    #[inline(always)]
+    fn look_at(&mut self, leaf: &Leaf, nearest_m: f64) {
+        let walls = leaf.in_frame(self.position, self.direction);
+        let sectors = Sector::of_walls(&walls);
+        let concerned = self.concerned(self.beyond_shell_m(nearest_m));
+        for (k, sector) in sectors.into_iter().enumerate().take(leaf.count) {
+            let (ax, ay, ex, ey) = (walls.ax[k], walls.ay[k], walls.ex[k], walls.ey[k]);
+            for block in self.shell.dial.fans(sector).and(concerned) {
+                self.shell.try_block(self.heard, block, Wall { ax, ay, ex, ey });
+            }
+        }
+        let least = self.heard.least.iter().fold([f64::INFINITY; LANES], |least, four| {
+            std::array::from_fn(|k| lesser(least[k], four[k]))
+        });
+        self.least = least.into_iter().fold(f64::INFINITY, lesser);
+    }
+
     /// How far something is from the places of all fans at least, metres.
     #[inline(always)]
     fn beyond_shell_m(&self, distance_m: f64) -> f64 {
@@ -229,21 +273,8 @@ impl Seeker for Listener<'_> {
 
     #[inline(always)]
     fn look(&mut self, leaf: &Leaf) {
-        let walls = leaf.in_frame(self.position, self.direction);
-        let distances_m = leaf.distances2(self.position).map(f64::sqrt);
-        let sectors = Sector::of_walls(&walls);
-        let nearest_m = distances_m.into_iter().fold(f64::INFINITY, lesser);
-        let concerned = self.concerned(self.beyond_shell_m(nearest_m));
-        for (k, sector) in sectors.into_iter().enumerate().take(leaf.count) {
-            let (ax, ay, ex, ey) = (walls.ax[k], walls.ay[k], walls.ex[k], walls.ey[k]);
-            for block in self.shell.dial.fans(sector).and(concerned) {
-                self.shell.try_block(self.heard, block, Wall { ax, ay, ex, ey });
-            }
-        }
-        let least = self.heard.least.iter().fold([f64::INFINITY; LANES], |least, four| {
-            std::array::from_fn(|k| lesser(least[k], four[k]))
-        });
-        self.least = least.into_iter().fold(f64::INFINITY, lesser);
+        let nearest2 = leaf.distances2(self.position).into_iter().fold(f64::INFINITY, lesser);
+        self.look_at(leaf, nearest2.sqrt());
     }
 }
 

@@ -11,6 +11,9 @@ use super::segments::{Leaf, Segment};
 /// Boxes in a node, and segments in a leaf, handled together.
 pub(super) const LANES: usize = 4;
 
+/// Leaves of a world so small that looking at all of them is faster than deciding which; a power of two.
+pub(super) const FEW: usize = 16;
+
 /// Boxes a walk can put off: three a level, so enough for a million segments.
 const PUT_OFF: usize = 32;
 
@@ -73,6 +76,12 @@ impl Tree {
         let mut tree = Self { nodes: Vec::new(), leaves: Vec::new() };
         tree.add_node(&mut items);
         tree
+    }
+
+    /// All leaves, if there are few.
+    #[inline(always)]
+    pub(super) fn few_leaves(&self) -> Option<&[Leaf]> {
+        (self.leaves.len() <= FEW).then_some(&self.leaves)
     }
 
     /// Lets a seeker look at whatever matters to it.
