@@ -1,6 +1,7 @@
 //! A drive with inertia: velocities follow their commands with a lag, and no faster than they can.
 //!
-//! NOTE: the thesis prints no equation of motion for the robot; this one is ours.
+//! NOTE: the thesis speaks of "a simplified dynamics to account for the inertia of the robot" (section 2.9)
+//! and prints no equation; this one is ours.
 
 use super::DriveSpec;
 use crate::geometry::{Pose, Vec2};

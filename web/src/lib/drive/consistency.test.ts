@@ -48,4 +48,7 @@ it('says how sure a filter is, but not of a few values', () => {
     'too',
   ]);
   expect([of(9, 5), verdict(null)]).toEqual(['', '']);
+  // A mean of 1 with a quarter of the values outside is not what normal errors do.
+  expect(verdict({ n: 100, within: 0.75, mean: 1 })).toContain('not normal');
+  expect(verdict({ n: 100, within: 0.93, mean: 1 })).toBe('about as sure as it should be');
 });

@@ -36,11 +36,12 @@ export function shareWords(found: Share | null): string {
   return `${number(100 * found.within, 0)} % of ${found.n} within, mean ${number(found.mean)}`;
 }
 
-/** What a mean says of the filter: 1 is consistent. */
+/** What mean and share say of the filter: 1 and 95 % are consistent. */
 export function verdict(found: Share | null): string {
   if (!found || found.n < 20) return '';
   if (found.mean < 0.5) return 'more careful than it need be: σ is larger than its errors';
-  return found.mean > 2
-    ? 'too sure of itself: its errors are larger than σ'
+  if (found.mean > 2) return 'too sure of itself: its errors are larger than σ';
+  return found.within < 0.9
+    ? 'about as sure as it should be on average, but its errors are not normal: too many lie outside'
     : 'about as sure as it should be';
 }
