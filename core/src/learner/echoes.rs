@@ -9,6 +9,9 @@ const IN_CONE: [f64; 3] = [-1.0, 0.0, 1.0];
 /// Slack on a direction that lies on the edge of a cone, radians.
 const SLACK_RAD: f64 = 1e-9;
 
+/// Slack on what is too far off a way to count, metres; far above rounding.
+const SLACK_M: f64 = 1e-6;
+
 /// How sonars hear.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hearing {
@@ -93,24 +96,91 @@ impl<'a> Echoes<'a> {
     /// Distance of the body, as the circle it turns in, to the nearest echo when it stands at a
     /// place, metres.
     pub(super) fn clearance_m(&self, at: Vec2) -> f64 {
-        // Lanes side by side: a least value does not depend on the order in which it is taken.
-        let mut nearest = [f64::INFINITY; 4];
-        for four in self.points.chunks(nearest.len()) {
-            for (least, echo) in nearest.iter_mut().zip(four) {
-                let squared = (echo - at).norm_squared();
-                *least = if squared < *least { squared } else { *least };
-            }
-        }
-        nearest.into_iter().fold(f64::INFINITY, f64::min).sqrt() - self.robot.body().reach_m()
+        clearance_m(&self.points, at, self.robot.body().reach_m())
     }
+}
+
+/// The echoes that lie near a straight way; all others are farther from any place on it than asked.
+pub(super) struct Beside {
+    points: Vec<Vec2>,
+    /// Radius of the circle in which the body turns, metres.
+    reach_m: f64,
+}
+
+impl Beside {
+    /// The echoes of some views to which the body may come as near as a clearance in metres, on the
+    /// way from a place along a unit vector.
+    pub(super) fn new(
+        views: &[&Echoes<'_>],
+        from: Vec2,
+        direction: Vec2,
+        length_m: f64,
+        clearance_m: f64,
+    ) -> Self {
+        let reach_m = views.iter().map(|view| view.robot.body().reach_m()).fold(0.0, f64::max);
+        let near_m = reach_m + clearance_m + SLACK_M;
+        let is_near = |echo: &&Vec2| {
+            let (offset, along) = (**echo - from, direction.dot(&(**echo - from)));
+            let across = direction.x * offset.y - direction.y * offset.x;
+            across.abs() <= near_m && (-near_m..=length_m + near_m).contains(&along)
+        };
+        let echoes = views.iter().flat_map(|view| &view.points);
+        Self { points: echoes.filter(is_near).copied().collect(), reach_m }
+    }
+
+    /// Distance of the body, as the circle it turns in, to the nearest of these echoes when it
+    /// stands at a place on the way, metres.
+    pub(super) fn clearance_m(&self, at: Vec2) -> f64 {
+        clearance_m(&self.points, at, self.reach_m)
+    }
+}
+
+/// Distance of a circle round a place to the nearest of some points, metres.
+fn clearance_m(points: &[Vec2], at: Vec2, radius_m: f64) -> f64 {
+    // Lanes side by side: a least value does not depend on the order in which it is taken.
+    let mut nearest = [f64::INFINITY; 4];
+    for four in points.chunks(nearest.len()) {
+        for (least, point) in nearest.iter_mut().zip(four) {
+            let squared = (point - at).norm_squared();
+            *least = if squared < *least { squared } else { *least };
+        }
+    }
+    nearest.into_iter().fold(f64::INFINITY, f64::min).sqrt() - radius_m
 }
 
 #[cfg(test)]
 mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};
 
+    use proptest::prelude::*;
+
     use super::*;
     use crate::robot::examples::b21;
+
+    proptest! {
+        #[test]
+        fn what_lies_beside_a_way_tells_all_that_is_near(
+            near_m in prop::collection::vec(0.2..4.0f64, 24), far_m in prop::collection::vec(0.2..4.0f64, 24),
+            x in -1.0..1.0f64, y in -1.0..1.0f64, heading_rad in -3.0..3.0f64, length_m in 0.0..4.0f64,
+            asked_m in 0.01..0.6f64, share in 0.0..=1.0f64,
+        ) {
+            let robot = b21();
+            let readings = [near_m, far_m].map(Readings::from_iter);
+            let hearing = Hearing { range_m: 3.0, cone_rad: 15f64.to_radians(), width: 1.0 };
+            let poses = [Pose::new(0.0, 0.0, 0.3), Pose::new(x, y, heading_rad)];
+            let views = [0, 1].map(|k| Echoes::new(&robot, poses[k], &readings[k], hearing));
+            let (from, direction) = (Vec2::new(y, x), unit(2.0 * heading_rad));
+            let beside = Beside::new(&[&views[0], &views[1]], from, direction, length_m, asked_m);
+            let at = from + direction * (share * length_m);
+            let all_m = views[0].clearance_m(at).min(views[1].clearance_m(at));
+            // What is asked for is told to the bit, and what is farther is told to be farther.
+            if all_m <= asked_m {
+                prop_assert_eq!(beside.clearance_m(at), all_m);
+            } else {
+                prop_assert!(beside.clearance_m(at) > asked_m);
+            }
+        }
+    }
 
     #[test]
     fn a_wall_ahead_is_as_far_as_its_sonar_says() {

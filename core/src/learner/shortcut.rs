@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 mod bend;
 
-use super::echoes::Echoes;
+use super::echoes::{Beside, Echoes};
 use super::trial_end::PathStep;
 use super::{Aim, Beyond, Judge, LearnerSettings, Memory, Proposal, annealing};
 use crate::geometry::{Vec2, angle, wrap_angle};
@@ -194,30 +194,29 @@ impl Surveyor<'_> {
         let (way, advance_m) = (to - from, self.settings.advance_m);
         let (length_m, heading_rad) = (way.norm(), angle(way));
         let direction = way / length_m;
+        let beside = self.beside(from, direction, length_m, views);
         let mut sum = 0.0;
         let mut driven_m = 0.0;
         while driven_m < length_m {
             let to_m = (driven_m + advance_m).min(length_m);
             let midway = from + direction * (to_m - advance_m / 2.0).max(0.0);
             let share = (to_m - driven_m) / advance_m;
-            sum += share * self.step_to(from + direction * to_m, midway, heading_rad, views)?;
+            sum += share * self.step_to(from + direction * to_m, midway, heading_rad, &beside)?;
             driven_m = to_m;
         }
         Some(sum)
     }
 
+    /// The echoes that can count on a straight way.
+    fn beside(&self, from: Vec2, direction: Vec2, length_m: f64, views: &[&Echoes<'_>]) -> Beside {
+        let counts_m = self.settings.shortcut_clearance_m.max(self.settings.reward.close_m);
+        Beside::new(views, from, direction, length_m, counts_m)
+    }
+
     /// Reinforcement of a step that ends at a place; none when the echoes do not leave room.
-    fn step_to(
-        &self,
-        at: Vec2,
-        midway: Vec2,
-        heading_rad: f64,
-        views: &[&Echoes<'_>],
-    ) -> Option<f64> {
-        let clearance_m =
-            |place| views.iter().map(|view| view.clearance_m(place)).fold(f64::INFINITY, f64::min);
-        let at_end_m = clearance_m(at);
-        if at_end_m.min(clearance_m(midway)) < self.settings.shortcut_clearance_m {
+    fn step_to(&self, at: Vec2, midway: Vec2, heading_rad: f64, beside: &Beside) -> Option<f64> {
+        let at_end_m = beside.clearance_m(at);
+        if at_end_m.min(beside.clearance_m(midway)) < self.settings.shortcut_clearance_m {
             return None;
         }
         // Eq. (5.6), (5.7) at the places the steps would lead to; the last counts for its share.

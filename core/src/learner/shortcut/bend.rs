@@ -132,11 +132,12 @@ impl Surveyor<'_> {
     ) {
         let advance_m = self.settings.advance_m;
         let (direction, free_m) = (unit(heading_rad), view.free_m(heading_rad));
+        let beside = self.beside(view.from(), direction, free_m, &[view]);
         let mut reinforcement = 0.0;
         for step in (1..).take_while(|step| f64::from(*step) * advance_m <= free_m) {
             let place = view.from() + direction * (f64::from(step) * advance_m);
             let midway = place - direction * (advance_m / 2.0);
-            let Some(paid) = self.step_to(place, midway, heading_rad, &[view]) else { return };
+            let Some(paid) = self.step_to(place, midway, heading_rad, &beside) else { return };
             reinforcement += paid;
             if reinforcement <= floor {
                 return;
