@@ -10,7 +10,7 @@ const IN_CONE: [f64; 3] = [-1.0, 0.0, 1.0];
 const SLACK_RAD: f64 = 1e-9;
 
 /// Slack on what is too far off a way to count, metres; far above rounding.
-const SLACK_M: f64 = 1e-6;
+pub(super) const SLACK_M: f64 = 1e-6;
 
 /// How sonars hear.
 #[derive(Clone, Copy, Debug)]
@@ -119,13 +119,21 @@ impl Beside {
     ) -> Self {
         let reach_m = views.iter().map(|view| view.robot.body().reach_m()).fold(0.0, f64::max);
         let near_m = reach_m + clearance_m + SLACK_M;
-        let is_near = |echo: &&Vec2| {
-            let (offset, along) = (**echo - from, direction.dot(&(**echo - from)));
+        let is_near = |echo: Vec2| {
+            let offset = echo - from;
+            let along = direction.dot(&offset);
             let across = direction.x * offset.y - direction.y * offset.x;
-            across.abs() <= near_m && (-near_m..=length_m + near_m).contains(&along)
+            (across.abs() <= near_m) & (along >= -near_m) & (along <= length_m + near_m)
         };
-        let echoes = views.iter().flat_map(|view| &view.points);
-        Self { points: echoes.filter(is_near).copied().collect(), reach_m }
+        // Without a branch for each echo: every place is written, and kept by counting on.
+        let mut points = vec![Vec2::zeros(); views.iter().map(|view| view.points.len()).sum()];
+        let mut count = 0;
+        for echo in views.iter().flat_map(|view| &view.points) {
+            points[count] = *echo;
+            count += usize::from(is_near(*echo));
+        }
+        points.truncate(count);
+        Self { points, reach_m }
     }
 
     /// Distance of the body, as the circle it turns in, to the nearest of these echoes when it

@@ -192,8 +192,19 @@ impl LearnerSettings {
         pose: Pose,
         sonar_m: &'a Readings,
     ) -> Echoes<'a> {
+        self.echoes_within(robot, pose, sonar_m, self.sonar_range_m)
+    }
+
+    /// What the sonars show at a pose up to a range in metres; farther echoes are left out.
+    pub(super) fn echoes_within<'a>(
+        &self,
+        robot: &'a Robot,
+        pose: Pose,
+        sonar_m: &'a Readings,
+        range_m: f64,
+    ) -> Echoes<'a> {
         let hearing = Hearing {
-            range_m: self.sonar_range_m,
+            range_m: range_m.min(self.sonar_range_m),
             cone_rad: self.sonar_cone_rad,
             width: self.echo_width,
         };

@@ -121,18 +121,16 @@ impl Surveyor<'_> {
                 continue;
             }
             let Some(mean_deg) = within(angle(way)) else { continue };
-            let Some(straight) = self.straight(view, candidate.point) else { continue };
-            let score = self.score(&candidate, straight);
-            if score > greatest {
-                best = Some(Way {
-                    score,
-                    mean_deg,
-                    aim: self.aim(&candidate),
-                    step: candidate.step,
-                    reinforcement: straight,
-                    utility: candidate.utility,
-                });
-            }
+            let promises = |straight| self.score(&candidate, straight) > greatest;
+            let Some(straight) = self.straight(view, candidate.point, promises) else { continue };
+            best = Some(Way {
+                score: self.score(&candidate, straight),
+                mean_deg,
+                aim: self.aim(&candidate),
+                step: candidate.step,
+                reinforcement: straight,
+                utility: candidate.utility,
+            });
         }
         best
     }
@@ -179,18 +177,29 @@ impl Surveyor<'_> {
     }
 
     /// Reinforcement of driving straight to a point, as far as the echoes tell; none when they show
-    /// something in the way.
-    fn straight(&self, echoes: &Echoes<'_>, point: Vec2) -> Option<f64> {
+    /// something in the way, or it is worth nothing.
+    fn straight(
+        &self,
+        echoes: &Echoes<'_>,
+        point: Vec2,
+        is_worth: impl Fn(f64) -> bool,
+    ) -> Option<f64> {
         let way = point - echoes.from();
         if way.norm() > echoes.free_m(angle(way)) {
             return None;
         }
-        self.leg(echoes.from(), point, &[echoes])
+        self.leg(echoes.from(), point, &[echoes], is_worth)
     }
 
     /// Reinforcement of driving straight from a place to a point; none when the echoes do not leave
-    /// room.
-    fn leg(&self, from: Vec2, to: Vec2, views: &[&Echoes<'_>]) -> Option<f64> {
+    /// room, or as soon as what was paid is not worth it: no step gains anything.
+    fn leg(
+        &self,
+        from: Vec2,
+        to: Vec2,
+        views: &[&Echoes<'_>],
+        is_worth: impl Fn(f64) -> bool,
+    ) -> Option<f64> {
         let (way, advance_m) = (to - from, self.settings.advance_m);
         let (length_m, heading_rad) = (way.norm(), angle(way));
         let direction = way / length_m;
@@ -202,6 +211,9 @@ impl Surveyor<'_> {
             let midway = from + direction * (to_m - advance_m / 2.0).max(0.0);
             let share = (to_m - driven_m) / advance_m;
             sum += share * self.step_to(from + direction * to_m, midway, heading_rad, &beside)?;
+            if !is_worth(sum) {
+                return None;
+            }
             driven_m = to_m;
         }
         Some(sum)

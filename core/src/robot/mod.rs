@@ -58,6 +58,8 @@ pub struct Robot {
     source: String,
     body: Body,
     sonars: Vec<Mount>,
+    /// Greatest distance of a sonar from the centre, metres.
+    sonars_reach_m: f64,
     ring: bool,
     equipment: Option<Equipment>,
 }
@@ -86,6 +88,7 @@ impl Robot {
             summary: file.summary.clone(),
             source: file.source.clone(),
             body,
+            sonars_reach_m: sonars.iter().map(|mount| mount.place.norm()).fold(0.0, f64::max),
             sonars,
             ring: file.ring.is_some(),
             equipment: file.equipment.clone(),
@@ -126,6 +129,13 @@ impl Robot {
     #[must_use]
     pub fn sonars(&self) -> &[Mount] {
         &self.sonars
+    }
+
+    /// Least reading, metres, of a surface that is at least so far from the body, in metres, wherever
+    /// the body turns on the spot.
+    #[must_use]
+    pub(crate) fn reading_beyond_m(&self, clearance_m: f64) -> f64 {
+        clearance_m + self.body.reach_m() + self.sonars_reach_m
     }
 
     /// Scanner, drive and other equipment, for the experiments of chapter 2.

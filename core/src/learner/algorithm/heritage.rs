@@ -3,6 +3,7 @@
 use super::{Acting, Learner, Situation};
 use crate::control::ReflexTrace;
 use crate::geometry::{angle, unit, wrap_angle};
+use crate::learner::echoes::SLACK_M;
 use crate::learner::trial_end::PathStep;
 use crate::learner::{Aim, Carry, FirstAction, Neuron, NeuronId, Origin};
 
@@ -109,11 +110,12 @@ impl Learner {
     fn is_free(&self, situation: &Situation<'_>, aim: Aim) -> bool {
         let observation = situation.observation;
         let here = observation.pose.position();
-        let echoes = self.settings.echoes(&self.robot, observation.pose, &observation.sonar_m);
-        let step = unit(angle(aim.point() - here)) * self.settings.advance_m;
-        [0.5, 1.0].iter().all(|share| {
-            echoes.clearance_m(here + step * *share) >= self.settings.shortcut_clearance_m
-        })
+        let (advance_m, asked_m) = (self.settings.advance_m, self.settings.shortcut_clearance_m);
+        let matters_m = self.robot.reading_beyond_m(asked_m + advance_m) + SLACK_M;
+        let (pose, sonar_m) = (observation.pose, &observation.sonar_m);
+        let echoes = self.settings.echoes_within(&self.robot, pose, sonar_m, matters_m);
+        let step = unit(angle(aim.point() - here)) * advance_m;
+        [0.5, 1.0].iter().all(|share| echoes.clearance_m(here + step * *share) >= asked_m)
     }
 
     /// D2: the nearest neuron of the network, if it is near enough.

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::{Learner, Situation};
 use crate::geometry::{Pose, unit, wrap_angle};
-use crate::learner::echoes::Echoes;
+use crate::learner::echoes::{Echoes, SLACK_M};
 
 /// Directions tried lie this far apart, radians: as the sonars of the ring do.
 pub(super) const FAN_RAD: f64 = FRAC_PI_2 / 6.0;
@@ -50,7 +50,10 @@ impl Learner {
     pub(super) fn room<'a>(&'a self, situation: &'a Situation<'_>, least_m: f64) -> Room<'a> {
         let observation = situation.observation;
         let (pose, advance_m) = (observation.pose, self.settings.advance_m);
-        let mut echoes = self.settings.echoes(&self.robot, pose, &observation.sonar_m);
+        // What no sonar hears up to here is farther than asked for from every place that is looked at.
+        let matters_m = self.robot.reading_beyond_m(least_m + advance_m) + SLACK_M;
+        let mut echoes =
+            self.settings.echoes_within(&self.robot, pose, &observation.sonar_m, matters_m);
         if !self.robot.has_even_ring() {
             for past in self.path.iter().rev().take(REMEMBERED) {
                 echoes.hear(past.pose, &past.sonar_m, NEAR_M);

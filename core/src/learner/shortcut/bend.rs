@@ -45,8 +45,9 @@ impl Surveyor<'_> {
                 break;
             }
             let known = bend.reinforcement + end.utility;
-            let second = self.second_leg([&views[t], &views[end.step + 1]], bend.place, end.point);
-            if let Some(second) = second.filter(|second| known + second > floor) {
+            let views = [&views[t], &views[end.step + 1]];
+            let is_worth = |second| known + second > floor;
+            if let Some(second) = self.second_leg(views, bend.place, end.point, is_worth) {
                 floor = known + second;
                 best = Some(self.bent(bend, end, second));
             }
@@ -70,9 +71,8 @@ impl Surveyor<'_> {
                 if known <= floor {
                     continue;
                 }
-                let promise = known + self.rough_cost(bend.place, end.point);
-                if promise > floor {
-                    promises.push((promise, bend, end));
+                if let Some(cost) = self.rough_cost(bend.place, end.point, known - floor) {
+                    promises.push((known + cost, bend, end));
                 }
             }
         }
@@ -148,20 +148,33 @@ impl Surveyor<'_> {
         }
     }
 
-    /// Reinforcement of the second leg, when it is in view from its end.
-    fn second_leg(&self, views: [&Echoes<'_>; 2], from: Vec2, to: Vec2) -> Option<f64> {
+    /// Reinforcement of the second leg, when it is in view from its end and worth it.
+    fn second_leg(
+        &self,
+        views: [&Echoes<'_>; 2],
+        from: Vec2,
+        to: Vec2,
+        is_worth: impl Fn(f64) -> bool,
+    ) -> Option<f64> {
         let way = to - from;
         let (length_m, back_rad) = (way.norm(), angle(-way));
         let in_view = length_m >= self.settings.advance_m && length_m <= views[1].free_m(back_rad);
-        in_view.then(|| self.leg(from, to, &views)).flatten()
+        in_view.then(|| self.leg(from, to, &views, is_worth)).flatten()
     }
 
-    /// About what Eq. (5.7) takes for driving straight: that of the middle, all the way.
-    fn rough_cost(&self, from: Vec2, to: Vec2) -> f64 {
+    /// About what Eq. (5.7) takes for driving straight: that of the middle, all the way. None when it
+    /// takes all that may be paid.
+    fn rough_cost(&self, from: Vec2, to: Vec2, most: f64) -> Option<f64> {
         let (way, ahead) = (to - from, self.goal - (from + to) / 2.0);
         let across = way.x * ahead.y - way.y * ahead.x;
+        // sin ε ≤ ε spares most of the roots and inverse tangents; the margin is far above rounding.
+        let bearable = (most + 1e-9) * PI * self.settings.advance_m;
+        if across * across > bearable * bearable * ahead.norm_squared() {
+            return None;
+        }
         let error_rad = libm::atan2(across.abs(), way.dot(&ahead));
-        -error_rad / PI * way.norm() / self.settings.advance_m
+        let cost = -error_rad / PI * way.norm() / self.settings.advance_m;
+        (most + cost > 0.0).then_some(cost)
     }
 }
 
