@@ -64,6 +64,52 @@ async fn every_experiment_of_chapter_2_runs_live_as_headless() {
     }
 }
 
+#[test]
+fn regions_of_one_s_own_are_those_that_are_read() {
+    const THESIS: &str = "0,1,2; 1,2,3,4; 3,4,5,6; 5,6,7,8; 7,8,9";
+    // The readings are the same, so that runs are the same if and only if the regions are.
+    for (experiment, settings) in [
+        ("wall-approach", json!({})),
+        ("block-world", json!({ "trial.time_limit": 20 })),
+        ("corridor", corridor()),
+    ] {
+        let with = |sets: &str| {
+            let mut settings = settings.clone();
+            settings["hashing.sets"] = sets.into();
+            undisturbed(&request(experiment, 1, settings, MAX))
+        };
+        let usual = with("");
+        assert_eq!(with(THESIS), usual, "{experiment}");
+        assert_ne!(with("0,1; 2,3; 4,5,6; 7,8; 9"), usual, "{experiment}");
+    }
+}
+
+#[test]
+fn regions_that_do_not_fit_are_refused_with_the_place() {
+    let refusal = |experiment: &str, sets: &str| {
+        let request = request(experiment, 1, json!({ "hashing.sets": sets }), MAX);
+        let catalog = Catalog::load(None).expect("the embedded files");
+        let Job::Plain(plan) = catalog.job(&request).expect("a text") else { panic!("a path") };
+        batch::drive(&plan, || {}).err().map(|error| (error.field, error.message))
+    };
+    for sets in ["0,1,2,3,4,5,6,7,8,9", "0;1;2;3;4;5;6;7;8;9", "0,1,2; 2,3,4,5; 5,6,7,8,9"] {
+        assert_eq!(refusal("wall-approach", sets), None, "{sets}");
+        for experiment in ["block-world", "corridor"] {
+            let (field, message) = refusal(experiment, sets).expect("not five regions");
+            assert_eq!(field, "settings.hashing.sets");
+            assert!(message.contains("must be 5 regions"), "{message}");
+        }
+    }
+    for (sets, says) in [
+        ("0,1,2,3,4; 5,6,7,8,9,12", "region 2 must name sonars from 0 to 9, not 12"),
+        ("0,1,2,3; 3,4,5,6; 7,8", "sonar 9 must be in a region"),
+    ] {
+        let (field, message) = refusal("wall-approach", sets).expect("refused");
+        assert_eq!(field, "settings.hashing.sets");
+        assert!(message.contains(says), "{message}");
+    }
+}
+
 #[tokio::test]
 async fn pausing_stopping_and_restarting_change_no_bit_of_a_driven_run() {
     let house = House::new();

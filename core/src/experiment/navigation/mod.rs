@@ -26,6 +26,10 @@ pub use wall_approach::{ApproachEnd, ApproachRun, MethodScore, WallApproachSetti
 use crate::perception::{FusionRule, MedianRank};
 use crate::robot::NoiseLevel;
 
+/// Key of the text that gives regions of one's own, as [`Hashing::parse`](crate::perception::Hashing::parse)
+/// takes them.
+pub const HASHING_SETS: &str = "hashing.sets";
+
 /// What several experiments set about noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct NoiseChoice {

@@ -7,7 +7,7 @@ use super::cycle::Cycle;
 use super::error::NavigationError;
 use super::score::{RunEnd, Tally};
 use super::vehicle::{Outfit, Vehicle};
-use super::{BlockWorldSettings, CorridorSettings};
+use super::{BlockWorldSettings, CorridorSettings, HASHING_SETS};
 use crate::fuzzy::{Explained, RuleBase};
 use crate::geometry::Pose;
 use crate::perception::{Fusion, FusionRule, Hashing, Method};
@@ -104,6 +104,23 @@ impl NavigationRun {
             end: None,
             setup,
         })
+    }
+
+    /// The same with regions of its own in place of those of the settings.
+    ///
+    /// # Errors
+    /// When there are not as many as the rules have depths.
+    pub fn hashed_into(mut self, hashing: Hashing) -> Result<Self, NavigationError> {
+        let (wanted, found) = (self.setup.hashing.regions().len(), hashing.regions().len());
+        if found != wanted {
+            return Err(NavigationError::Contradiction {
+                key: HASHING_SETS,
+                expected: format!("{wanted} regions, one for each depth in the rules"),
+                found: found.to_string(),
+            });
+        }
+        self.setup.hashing = hashing;
+        Ok(self)
     }
 
     /// Goes on after a checkpoint, to the same bits that a run never stopped gives.

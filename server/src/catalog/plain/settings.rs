@@ -3,8 +3,9 @@
 use serde_json::Value as Json;
 use sonarium_core::experiment::{
     BanditSettings, BlockWorldSettings, ContinualSettings, CorridorSettings, GridworldSettings,
-    HorizonSettings, LabyrinthExtras, LabyrinthSettings, WallApproachSettings,
+    HASHING_SETS, HorizonSettings, LabyrinthExtras, LabyrinthSettings, WallApproachSettings,
 };
+use sonarium_core::perception::Hashing;
 use sonarium_core::settings::{SettingError, Spec, Value};
 
 use super::super::FieldError;
@@ -44,6 +45,12 @@ const LABYRINTH_TEXTS: [TextSpec; 3] = [
         source: "section 4.10",
     },
 ];
+
+const DRIVE_TEXTS: [TextSpec; 1] = [TextSpec {
+    key: HASHING_SETS,
+    meaning: "Regions of one's own in place of `hashing`'s others: the sonars of each, from the left to the right, as 0,1,2; 1,2,3,4; 3,4,5,6; 5,6,7,8; 7,8,9",
+    source: "section 2.3",
+}];
 
 /// The settings of one of the experiments.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,6 +122,7 @@ impl PlainSettings {
         match self {
             Self::Labyrinth(_) => &LABYRINTH_TEXTS,
             Self::Gridworld(_) => &LABYRINTH_TEXTS[..1],
+            Self::WallApproach(_) | Self::BlockWorld(_) | Self::Corridor(_) => &DRIVE_TEXTS,
             _ => &[],
         }
     }
@@ -180,6 +188,8 @@ pub struct Texts {
     pub matrix: String,
     /// Q-values.
     pub table: String,
+    /// Regions of one's own.
+    pub hashing: String,
 }
 
 impl Texts {
@@ -187,6 +197,7 @@ impl Texts {
         match key {
             ADVICE => &self.advice,
             MATRIX => &self.matrix,
+            HASHING_SETS => &self.hashing,
             _ => &self.table,
         }
     }
@@ -195,7 +206,7 @@ impl Texts {
         let text = match value {
             Json::String(text) => text.trim().to_owned(),
             // A matrix may be given as what it is.
-            Json::Array(_) if key != ADVICE => value.to_string(),
+            Json::Array(_) if matches!(key, MATRIX | TABLE) => value.to_string(),
             other => {
                 let message = format!("must be a text, not `{other}`");
                 return Err(FieldError::new(format!("settings.{key}"), message));
@@ -204,6 +215,7 @@ impl Texts {
         match key {
             ADVICE => self.advice = text,
             MATRIX => self.matrix = text,
+            HASHING_SETS => self.hashing = text,
             _ => self.table = text,
         }
         Ok(())
@@ -220,6 +232,19 @@ impl Texts {
             return Err(FieldError::new(format!("settings.{TABLE}"), message));
         }
         Ok(LabyrinthExtras { advice: self.advice.clone(), matrix, table })
+    }
+
+    /// Regions of one's own for so many sonars; none where there are none.
+    ///
+    /// # Errors
+    /// When they are not written as regions or do not cover the sonars.
+    pub fn regions(&self, sonars: usize) -> Result<Option<Hashing>, FieldError> {
+        if self.hashing.is_empty() {
+            return Ok(None);
+        }
+        Hashing::parse(&self.hashing, sonars)
+            .map(Some)
+            .map_err(|error| FieldError::new(format!("settings.{HASHING_SETS}"), error.to_string()))
     }
 }
 
