@@ -309,12 +309,17 @@ fn machines(plan: &PlainPlan) -> Result<Vec<Machine>, FieldError> {
     let Equipment { robot, rules } = equipment(plan)?;
     let (rules, seed) = (|| rules.clone(), plan.seed);
     let regions = plan.texts.regions(robot.sonars().len())?;
+    let people = plan.texts.people()?;
     let drivers = |compare: bool, method: Method| {
         if compare { COMPARED.to_vec() } else { vec![method] }
     };
     let drive = |driver: Method, run: Result<NavigationRun, NavigationError>| {
         let run = run.and_then(|run| match &regions {
             Some(regions) => run.hashed_into(regions.clone()),
+            None => Ok(run),
+        });
+        let run = run.and_then(|run| match &people {
+            Some(people) => run.peopled_by(people.clone()),
             None => Ok(run),
         });
         let run = run.map_err(|error| field(&error))?;

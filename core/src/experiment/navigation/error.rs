@@ -50,7 +50,7 @@ impl NavigationError {
             Self::Rules { .. } => "rules",
             Self::Hashing(_) => "hashing.regions",
             Self::World(_) => "world",
-            Self::People(_) => "people",
+            Self::People(_) => super::PEOPLE_FILE,
             Self::Contradiction { key, .. } => key,
             Self::Checkpoint => "checkpoint",
         }

@@ -30,6 +30,9 @@ use crate::robot::NoiseLevel;
 /// takes them.
 pub const HASHING_SETS: &str = "hashing.sets";
 
+/// Key of the text that gives people of one's own, a [`PeopleFile`](crate::world::PeopleFile).
+pub const PEOPLE_FILE: &str = "people.file";
+
 /// What several experiments set about noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct NoiseChoice {

@@ -15,7 +15,7 @@ use crate::rng::{Purpose, stream};
 use crate::robot::{
     Command, Drive, DriveSpec, FiringOrder, Mount, NoiseLevel, Robot, Scanner, ScannerSpec,
 };
-use crate::world::{Arena, Passage, People, Person};
+use crate::world::{Arena, PERSON_RADIUS_M, Passage, People, PeopleError, Person, PersonFile};
 use rand_chacha::ChaCha8Rng;
 
 /// Where a run starts.
@@ -25,6 +25,15 @@ pub(super) enum Starts {
     Round { pose: Pose, aside_m: f64, turned_rad: f64 },
     /// Anywhere on the floor with so much clearance, metres.
     Anywhere { clearance_m: f64 },
+}
+
+/// Who walks about.
+#[derive(Clone, Debug)]
+pub(super) enum Crowd {
+    /// So many, anywhere.
+    Anywhere(usize),
+    /// People of a file, checked.
+    Placed(Vec<PersonFile>),
 }
 
 /// What a controlled run is made of.
@@ -41,7 +50,7 @@ pub(super) struct Setup {
     pub(super) method: Method,
     pub(super) starts: Starts,
     pub(super) doors: Vec<Passage>,
-    pub(super) people: usize,
+    pub(super) people: Crowd,
     /// Length and half width of the corridor that people walk in, metres.
     pub(super) corridor_m: [f64; 2],
     /// x at which the run is done, metres; none where it has no end.
@@ -120,6 +129,24 @@ impl NavigationRun {
             });
         }
         self.setup.hashing = hashing;
+        Ok(self)
+    }
+
+    /// The same with people of its own in place of those of the settings.
+    ///
+    /// # Errors
+    /// The first who stands in a wall, outside the corridor or where the robot may start, or whose lane
+    /// leads through a wall.
+    pub fn peopled_by(mut self, people: Vec<PersonFile>) -> Result<Self, NavigationError> {
+        let in_the_way = people.iter().position(|person| self.setup.may_start_at(person.start_m));
+        let crowd = Crowd::Placed(people);
+        self.setup.crowd(&crowd, stream(self.seed, 0, Purpose::People))?;
+        if let Some(person) = in_the_way {
+            let problem =
+                "stands where the robot may start; they must stand clear of it".to_owned();
+            return Err(PeopleError { person, problem }.into());
+        }
+        self.setup.people = crowd;
         Ok(self)
     }
 
@@ -214,8 +241,9 @@ impl NavigationRun {
         for (sonar, &silent) in self.progress.silent.iter().enumerate() {
             scanner.silence(sonar, silent);
         }
-        let doors = setup.doors.clone();
-        let people = People::anywhere(setup.people, setup.corridor_m, doors, rng(Purpose::People));
+        let people = setup
+            .crowd(&setup.people, rng(Purpose::People))
+            .expect("people of a file were checked when they were taken");
         self.tally = Tally::new(pose, setup.doors.len());
         self.command = Command::default();
         Vehicle::new(
@@ -290,6 +318,24 @@ impl NavigationRun {
 }
 
 impl Setup {
+    /// Everybody at the start of a run.
+    fn crowd(&self, crowd: &Crowd, rng: ChaCha8Rng) -> Result<People, PeopleError> {
+        let (size_m, doors) = (self.corridor_m, self.doors.clone());
+        match crowd {
+            Crowd::Anywhere(count) => Ok(People::anywhere(*count, size_m, doors, rng)),
+            Crowd::Placed(people) => People::placed(people, size_m, doors, rng),
+        }
+    }
+
+    /// Whether a person at a place may touch the robot at the start, however it is turned.
+    fn may_start_at(&self, [x_m, y_m]: [f64; 2]) -> bool {
+        let Starts::Round { pose, aside_m, .. } = self.starts else {
+            return false;
+        };
+        let beyond_m = ((y_m - pose.y_m).abs() - aside_m).max(0.0);
+        libm::hypot(x_m - pose.x_m, beyond_m) < self.outfit.body.reach_m() + PERSON_RADIUS_M
+    }
+
     fn start(&self, rng: &mut ChaCha8Rng) -> Pose {
         use rand::RngExt;
         match self.starts {

@@ -3,10 +3,12 @@
 use serde_json::Value as Json;
 use sonarium_core::experiment::{
     BanditSettings, BlockWorldSettings, ContinualSettings, CorridorSettings, GridworldSettings,
-    HASHING_SETS, HorizonSettings, LabyrinthExtras, LabyrinthSettings, WallApproachSettings,
+    HASHING_SETS, HorizonSettings, LabyrinthExtras, LabyrinthSettings, PEOPLE_FILE,
+    WallApproachSettings,
 };
 use sonarium_core::perception::Hashing;
 use sonarium_core::settings::{SettingError, Spec, Value};
+use sonarium_core::world::{PeopleFile, PersonFile};
 
 use super::super::FieldError;
 use crate::wire::Family;
@@ -46,11 +48,18 @@ const LABYRINTH_TEXTS: [TextSpec; 3] = [
     },
 ];
 
-const DRIVE_TEXTS: [TextSpec; 1] = [TextSpec {
-    key: HASHING_SETS,
-    meaning: "Regions of one's own in place of `hashing`'s others: the sonars of each, from the left to the right, as 0,1,2; 1,2,3,4; 3,4,5,6; 5,6,7,8; 7,8,9",
-    source: "section 2.3",
-}];
+const DRIVE_TEXTS: [TextSpec; 2] = [
+    TextSpec {
+        key: HASHING_SETS,
+        meaning: "Regions of one's own in place of `hashing`'s others: the sonars of each, from the left to the right, as 0,1,2; 1,2,3,4; 3,4,5,6; 5,6,7,8; 7,8,9",
+        source: "section 2.3",
+    },
+    TextSpec {
+        key: PEOPLE_FILE,
+        meaning: "People of one's own in place of `people.count`, as TOML: for each a table [[people]] with start_m = [x, y], pace_m_s (below 0 towards the beginning) and, if it is not where they start, lane_m; y is 0 in the middle, left of it above 0",
+        source: "section 2.9",
+    },
+];
 
 /// The settings of one of the experiments.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,7 +131,8 @@ impl PlainSettings {
         match self {
             Self::Labyrinth(_) => &LABYRINTH_TEXTS,
             Self::Gridworld(_) => &LABYRINTH_TEXTS[..1],
-            Self::WallApproach(_) | Self::BlockWorld(_) | Self::Corridor(_) => &DRIVE_TEXTS,
+            Self::WallApproach(_) | Self::BlockWorld(_) => &DRIVE_TEXTS[..1],
+            Self::Corridor(_) => &DRIVE_TEXTS,
             _ => &[],
         }
     }
@@ -190,6 +200,8 @@ pub struct Texts {
     pub table: String,
     /// Regions of one's own.
     pub hashing: String,
+    /// People of one's own.
+    pub people: String,
 }
 
 impl Texts {
@@ -198,6 +210,7 @@ impl Texts {
             ADVICE => &self.advice,
             MATRIX => &self.matrix,
             HASHING_SETS => &self.hashing,
+            PEOPLE_FILE => &self.people,
             _ => &self.table,
         }
     }
@@ -216,6 +229,7 @@ impl Texts {
             ADVICE => self.advice = text,
             MATRIX => self.matrix = text,
             HASHING_SETS => self.hashing = text,
+            PEOPLE_FILE => self.people = text,
             _ => self.table = text,
         }
         Ok(())
@@ -232,6 +246,19 @@ impl Texts {
             return Err(FieldError::new(format!("settings.{TABLE}"), message));
         }
         Ok(LabyrinthExtras { advice: self.advice.clone(), matrix, table })
+    }
+
+    /// People of one's own; none where there are none.
+    ///
+    /// # Errors
+    /// When the text is no file of people.
+    pub fn people(&self) -> Result<Option<Vec<PersonFile>>, FieldError> {
+        if self.people.is_empty() {
+            return Ok(None);
+        }
+        toml::from_str(&self.people)
+            .map(|file: PeopleFile| Some(file.people))
+            .map_err(|error| FieldError::new(format!("settings.{PEOPLE_FILE}"), error.to_string()))
     }
 
     /// Regions of one's own for so many sonars; none where there are none.
