@@ -27,6 +27,6 @@ pub use minimum_cost_path::{
 pub use navigation::{
     ApproachEnd, ApproachRun, BlockLayout, BlockStart, BlockWorldSettings, Bump, Contact,
     CorridorSettings, Cycle, HASHING_SETS, MethodScore, NavigationCheckpoint, NavigationError,
-    NavigationRun, PEOPLE_FILE, RegionState, RunEnd, WallApproachSettings,
+    NavigationRun, PEOPLE_FILE, RULES_FILE, RegionState, RunEnd, WallApproachSettings,
 };
 pub use settings::{OnCollision, Settings};

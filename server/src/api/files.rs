@@ -182,6 +182,7 @@ pub(super) fn download(name: &str, format: &str, body: Body) -> Response {
         "png" => ("image/png", "inline"),
         "json" => ("application/json", "attachment"),
         "csv" => ("text/csv; charset=utf-8", "attachment"),
+        "txt" => ("text/plain; charset=utf-8", "attachment"),
         "zip" => ("application/zip", "attachment"),
         _ => ("application/octet-stream", "attachment"),
     };

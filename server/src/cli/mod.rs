@@ -8,6 +8,7 @@ mod calibrate;
 mod experiments;
 mod output;
 mod reproduce;
+mod rules;
 mod run;
 mod serve;
 mod world;
@@ -46,6 +47,8 @@ enum Command {
     Calibrate(calibrate::Arguments),
     /// List the experiments with their settings
     Experiments(experiments::Arguments),
+    /// List, print, check and convert rule bases
+    Rules(rules::Arguments),
     /// Trace a world from a map, or check one
     World(world::Arguments),
     /// Measure speed and memory
@@ -79,6 +82,7 @@ pub fn main() -> ExitCode {
         Some(Command::Reproduce(arguments)) => reproduce::reproduce(&arguments),
         Some(Command::Calibrate(arguments)) => calibrate::run(&arguments),
         Some(Command::Experiments(arguments)) => experiments::list(&arguments),
+        Some(Command::Rules(arguments)) => rules::rules(&arguments),
         Some(Command::World(arguments)) => world::world(&arguments),
         Some(Command::Bench(arguments)) => bench::bench(&arguments),
     };

@@ -9,7 +9,7 @@ use clap::Args;
 use indicatif::ProgressBar;
 use serde::Deserialize;
 use serde_json::Value as Json;
-use sonarium_core::experiment::PEOPLE_FILE;
+use sonarium_core::experiment::{PEOPLE_FILE, RULES_FILE};
 
 use super::{Failure, cores, default_data, output, world};
 use crate::batch;
@@ -54,6 +54,9 @@ pub(super) struct Arguments {
     /// People of one's own in `corridor`: a TOML file, a table [[people]] each
     #[arg(long, value_name = "FILE")]
     people: Option<PathBuf>,
+    /// Rules of one's own in `block-world` and `corridor`: a rule file or FLL
+    #[arg(long, value_name = "FILE")]
+    rules: Option<PathBuf>,
     /// Pose to start the trained networks from afterwards, x and y in metres and heading in degrees, e.g.
     /// --start 1,0.5,90; may be given again. When missing, those of the experiment, if it has any
     #[arg(long, value_name = "X,Y,DEG", allow_hyphen_values = true)]
@@ -166,6 +169,9 @@ fn requests(arguments: &Arguments) -> Result<Vec<NewSession>, Failure> {
     settings.extend(arguments.set.iter().map(|set| (set.key.clone(), set.value.clone())));
     if let Some(file) = &arguments.people {
         take_file(&mut settings, PEOPLE_FILE, "people", file)?;
+    }
+    if let Some(file) = &arguments.rules {
+        take_file(&mut settings, RULES_FILE, "rules", file)?;
     }
     let network = arguments.network.as_deref().map(network::read).transpose()?;
     let request = |seed| NewSession {

@@ -1,5 +1,7 @@
 //! A run of chapter 2: a robot driven by rules, or gliding towards a wall.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 use sonarium_core::experiment::{
     ApproachRun, NavigationCheckpoint, NavigationError, NavigationRun,
@@ -307,6 +309,7 @@ const COMPARED: [Method; 2] = [Method::Minimum, Method::MedianKalman];
 
 fn machines(plan: &PlainPlan) -> Result<Vec<Machine>, FieldError> {
     let Equipment { robot, rules } = equipment(plan)?;
+    let rules = plan.texts.rules()?.map_or_else(|| rules.clone(), Arc::new);
     let (rules, seed) = (|| rules.clone(), plan.seed);
     let regions = plan.texts.regions(robot.sonars().len())?;
     let people = plan.texts.people()?;

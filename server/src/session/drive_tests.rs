@@ -164,6 +164,37 @@ fn people_who_cannot_be_there_are_named() {
     }
 }
 
+#[test]
+fn rules_of_one_s_own_drive_and_those_that_do_not_fit_are_refused() {
+    let catalog = Catalog::load(None).expect("the embedded files");
+    let navigator = catalog.rules().remove(0);
+    let settings = |rules: &str| json!({ "trial.time_limit": 20, "rules.file": rules });
+    let driven = |rules: &str| undisturbed(&request("block-world", 1, settings(rules), MAX));
+    let usual = driven("");
+    assert_eq!(driven(&navigator.to_text()), usual);
+    assert_eq!(driven(&navigator.to_fll()), usual);
+    // All is safe and it drives fast: now at 5 cm/s.
+    let text = navigator.to_text();
+    let slower = text.replacen(
+        "safe safe safe safe safe fast -> 15 0",
+        "safe safe safe safe safe fast -> 5 0",
+        1,
+    );
+    assert_ne!(slower, text);
+    assert_ne!(driven(&slower), usual);
+    for (rules, says) in [
+        (text.replacen("-> 15 0", "-> fast 0", 1), "rules, line "),
+        (text.replace("far_left", "port"), "must be for far_left (m), left (m)"),
+        (text.replace("output w deg/s", "output w rad/s"), "not far_left (m)"),
+    ] {
+        let request = request("block-world", 1, settings(&rules), MAX);
+        let Job::Plain(plan) = catalog.job(&request).expect("a text") else { panic!("a path") };
+        let error = super::DriveRun::new(&plan).err().expect("refused");
+        assert_eq!(error.field, "settings.rules.file");
+        assert!(error.message.contains(says), "{}", error.message);
+    }
+}
+
 #[tokio::test]
 async fn pausing_stopping_and_restarting_change_no_bit_of_a_driven_run() {
     let house = House::new();

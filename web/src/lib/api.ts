@@ -100,6 +100,10 @@ export const setMethod = (id: string, method: string) =>
 export const setSonar = (id: string, sonar: number, silent: boolean) =>
   call<Ack>('POST', `${path(id)}/sonars`, { sonar, silent });
 
+/** Address of a rule base as a file. */
+export const rulesFile = (name: string, form: 'rules' | 'fll') =>
+  `${ROOT}/rules/${encodeURIComponent(name)}.${form}`;
+
 /** A rule base with all its rules. */
 export const rules = (name: string) => call<RuleList>('GET', `rules/${encodeURIComponent(name)}`);
 

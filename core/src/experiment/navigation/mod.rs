@@ -33,6 +33,10 @@ pub const HASHING_SETS: &str = "hashing.sets";
 /// Key of the text that gives people of one's own, a [`PeopleFile`](crate::world::PeopleFile).
 pub const PEOPLE_FILE: &str = "people.file";
 
+/// Key of the text that gives rules of one's own, as
+/// [`RuleBase::from_text`](crate::fuzzy::RuleBase::from_text) takes them.
+pub const RULES_FILE: &str = "rules.file";
+
 /// What several experiments set about noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct NoiseChoice {

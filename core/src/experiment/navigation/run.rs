@@ -101,7 +101,7 @@ impl NavigationRun {
     }
 
     fn new(setup: Setup, rules: Arc<RuleBase>, seed: u64) -> Result<Self, NavigationError> {
-        check(&rules, setup.hashing.regions().len())?;
+        check(&rules)?;
         Ok(Self {
             rules,
             seed,
@@ -366,13 +366,26 @@ fn command(inference: &Explained) -> Command {
     Command { v_m_s: v_cm_s / 100.0, w_rad_s: w_deg_s.to_radians() }
 }
 
-/// Whether rules are for so many regions and the velocity, and give velocity and turn.
-fn check(rules: &RuleBase, regions: usize) -> Result<(), NavigationError> {
-    let units = |units: Vec<&str>| units.join(", ");
-    let inputs = units(rules.inputs().iter().map(|input| input.unit.as_str()).collect());
-    let outputs = units(rules.outputs().iter().map(|output| output.unit.as_str()).collect());
-    let found = format!("{inputs} -> {outputs}");
-    let wanted = units([vec!["m"; regions], vec!["cm/s"]].concat());
-    let expected = format!("{wanted} -> cm/s, deg/s");
+/// What the rules are told, with its unit: a depth a region, from the left to the right, and the velocity.
+const INPUTS: [(&str, &str); 6] = [
+    ("far_left", "m"),
+    ("left", "m"),
+    ("centre", "m"),
+    ("right", "m"),
+    ("far_right", "m"),
+    ("velocity", "cm/s"),
+];
+/// What they say.
+const OUTPUTS: [(&str, &str); 2] = [("v", "cm/s"), ("w", "deg/s")];
+
+/// Whether rules are for what the robot tells and does.
+fn check(rules: &RuleBase) -> Result<(), NavigationError> {
+    let list = |of: Vec<(&str, &str)>| {
+        of.iter().map(|(name, unit)| format!("{name} ({unit})")).collect::<Vec<_>>().join(", ")
+    };
+    let inputs = rules.inputs().iter().map(|input| (input.name.as_str(), input.unit.as_str()));
+    let outputs = rules.outputs().iter().map(|output| (output.name.as_str(), output.unit.as_str()));
+    let found = format!("{} -> {}", list(inputs.collect()), list(outputs.collect()));
+    let expected = format!("{} -> {}", list(INPUTS.to_vec()), list(OUTPUTS.to_vec()));
     if found == expected { Ok(()) } else { Err(NavigationError::Rules { expected, found }) }
 }

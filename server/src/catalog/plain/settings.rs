@@ -3,9 +3,10 @@
 use serde_json::Value as Json;
 use sonarium_core::experiment::{
     BanditSettings, BlockWorldSettings, ContinualSettings, CorridorSettings, GridworldSettings,
-    HASHING_SETS, HorizonSettings, LabyrinthExtras, LabyrinthSettings, PEOPLE_FILE,
+    HASHING_SETS, HorizonSettings, LabyrinthExtras, LabyrinthSettings, PEOPLE_FILE, RULES_FILE,
     WallApproachSettings,
 };
+use sonarium_core::fuzzy::RuleBase;
 use sonarium_core::perception::Hashing;
 use sonarium_core::settings::{SettingError, Spec, Value};
 use sonarium_core::world::{PeopleFile, PersonFile};
@@ -48,11 +49,16 @@ const LABYRINTH_TEXTS: [TextSpec; 3] = [
     },
 ];
 
-const DRIVE_TEXTS: [TextSpec; 2] = [
+const DRIVE_TEXTS: [TextSpec; 3] = [
     TextSpec {
         key: HASHING_SETS,
         meaning: "Regions of one's own in place of `hashing`'s others: the sonars of each, from the left to the right, as 0,1,2; 1,2,3,4; 3,4,5,6; 5,6,7,8; 7,8,9",
         source: "section 2.3",
+    },
+    TextSpec {
+        key: RULES_FILE,
+        meaning: "Rules of one's own in place of the 972, as the navigator's are written or in FLL, with its inputs and outputs",
+        source: "section 2.7",
     },
     TextSpec {
         key: PEOPLE_FILE,
@@ -131,7 +137,8 @@ impl PlainSettings {
         match self {
             Self::Labyrinth(_) => &LABYRINTH_TEXTS,
             Self::Gridworld(_) => &LABYRINTH_TEXTS[..1],
-            Self::WallApproach(_) | Self::BlockWorld(_) => &DRIVE_TEXTS[..1],
+            Self::WallApproach(_) => &DRIVE_TEXTS[..1],
+            Self::BlockWorld(_) => &DRIVE_TEXTS[..2],
             Self::Corridor(_) => &DRIVE_TEXTS,
             _ => &[],
         }
@@ -202,6 +209,8 @@ pub struct Texts {
     pub hashing: String,
     /// People of one's own.
     pub people: String,
+    /// Rules of one's own.
+    pub rules: String,
 }
 
 impl Texts {
@@ -211,6 +220,7 @@ impl Texts {
             MATRIX => &self.matrix,
             HASHING_SETS => &self.hashing,
             PEOPLE_FILE => &self.people,
+            RULES_FILE => &self.rules,
             _ => &self.table,
         }
     }
@@ -230,6 +240,7 @@ impl Texts {
             MATRIX => self.matrix = text,
             HASHING_SETS => self.hashing = text,
             PEOPLE_FILE => self.people = text,
+            RULES_FILE => self.rules = text,
             _ => self.table = text,
         }
         Ok(())
@@ -259,6 +270,19 @@ impl Texts {
         toml::from_str(&self.people)
             .map(|file: PeopleFile| Some(file.people))
             .map_err(|error| FieldError::new(format!("settings.{PEOPLE_FILE}"), error.to_string()))
+    }
+
+    /// Rules of one's own; none where there are none.
+    ///
+    /// # Errors
+    /// When the text is no rule base, with the line at fault.
+    pub fn rules(&self) -> Result<Option<RuleBase>, FieldError> {
+        if self.rules.is_empty() {
+            return Ok(None);
+        }
+        RuleBase::from_text(&self.rules)
+            .map(Some)
+            .map_err(|error| FieldError::new(format!("settings.{RULES_FILE}"), error.to_string()))
     }
 
     /// Regions of one's own for so many sonars; none where there are none.
