@@ -2,6 +2,7 @@
 
 pub mod api;
 pub mod batch;
+pub mod calibration;
 pub mod catalog;
 pub mod cli;
 mod clock;

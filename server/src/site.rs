@@ -29,6 +29,7 @@ pub fn router<S: Clone + Send + Sync + 'static>() -> Router<S> {
         .route("/worlds", get(index))
         .route("/worlds/{name}", get(index))
         .route("/lost-at-sea", get(index))
+        .route("/calibration", get(index))
         .route("/rules/{name}", get(index))
         .route("/reproduce", get(index))
         .route("/reproduce/{target}", get(index))

@@ -26,7 +26,7 @@ pub use minimum_cost_path::{
 };
 pub use navigation::{
     ApproachEnd, ApproachRun, BlockLayout, BlockStart, BlockWorldSettings, Bump, Contact,
-    CorridorSettings, Cycle, MethodScore, NavigationCheckpoint, NavigationError, NavigationRun,
-    RegionState, RunEnd, WallApproachSettings,
+    CorridorSettings, Cycle, HASHING_SETS, MethodScore, NavigationCheckpoint, NavigationError,
+    NavigationRun, PEOPLE_FILE, RULES_FILE, RegionState, RunEnd, WallApproachSettings,
 };
 pub use settings::{OnCollision, Settings};

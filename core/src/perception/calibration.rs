@@ -12,6 +12,7 @@ use rand_chacha::ChaCha8Rng;
 use crate::geometry::{Pose, Vec2, unit};
 use crate::rng::{Purpose, stream};
 use crate::robot::{Equipment, FiringOrder, Mount, NoiseLevel, Reading, Scanner};
+use crate::stats::Estimate;
 use crate::world::{Arena, Near, Ring, Surface};
 
 /// Distances and angles that pairs are taken at.
@@ -118,10 +119,8 @@ pub struct Pair {
 pub struct PlaceError {
     /// Where.
     pub place: Place,
-    /// Pairs taken.
-    pub pairs: u64,
     /// Mean square of d − r, m².
-    pub mean_square: f64,
+    pub mean_square: Estimate,
 }
 
 /// What all pairs come to.
@@ -130,13 +129,11 @@ pub struct CalibrationReport {
     /// Place by place.
     pub places: Vec<PlaceError>,
     /// Mean square of d − r over all places, m².
-    pub mean_square: f64,
+    pub mean_square: Estimate,
     /// k of Eq. (2.8).
     pub factor: f64,
-    /// ς² = k times the mean square, m².
-    pub variance: f64,
-    /// ς, metres.
-    pub deviation_m: f64,
+    /// ς, metres: the root of k times the mean square.
+    pub deviation_m: Estimate,
 }
 
 /// The procedure as a state machine, one pair at a time.
@@ -149,13 +146,14 @@ pub struct Calibration {
     rng: ChaCha8Rng,
     arenas: Vec<Arena>,
     near: Near,
-    squares: [f64; Place::ALL.len()],
+    /// Squares of d − r, pair by pair, m².
+    squares: Vec<f64>,
     tick: u64,
 }
 
 impl Calibration {
     /// A calibration of one of a robot's sonars, alone: at a noise level without its crosstalk, with so
-    /// many pairs a place, at least 1, and a factor k.
+    /// many pairs a place, at least 2, and a factor k.
     #[must_use]
     pub fn new(
         equipment: &Equipment,
@@ -172,12 +170,12 @@ impl Calibration {
         Self {
             scanner: Scanner::new(&spec, &alone, FiringOrder::Staggered, noise, rng),
             slots: spec.slots as usize,
-            pairs_per_place: pairs_per_place.max(1),
+            pairs_per_place: pairs_per_place.max(2),
             factor,
             rng: stream(seed, 0, Purpose::Start),
             arenas: Place::ALL.iter().map(|place| place.arena()).collect(),
             near: Near::default(),
-            squares: [0.0; Place::ALL.len()],
+            squares: Vec::new(),
             tick: 0,
         }
     }
@@ -197,7 +195,7 @@ impl Calibration {
         self.scanner.fire(0, time_s, &pose, &self.near, &[]);
         let truth_m = self.scanner.truth_m(0, &pose, &self.near, &[]);
         let reading = self.scanner.readings()[0];
-        self.squares[index] += (truth_m - reading.range_m) * (truth_m - reading.range_m);
+        self.squares.push((truth_m - reading.range_m) * (truth_m - reading.range_m));
         self.tick += 1;
         Some(Pair { tick: self.tick, place, truth_m, reading })
     }
@@ -208,31 +206,44 @@ impl Calibration {
         self.pairs_per_place * Place::ALL.len() as u64
     }
 
-    /// What the pairs taken so far come to; none before the first.
+    /// What the pairs come to; none before the last.
     #[must_use]
-    #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
     pub fn report(&self) -> Option<CalibrationReport> {
-        let taken = |index: usize| {
-            let before = index as u64 * self.pairs_per_place;
-            self.tick.saturating_sub(before).min(self.pairs_per_place)
-        };
-        let visited = (0..Place::ALL.len()).filter(|&index| taken(index) > 0);
-        let places: Vec<PlaceError> = visited
-            .map(|index| PlaceError {
-                place: Place::ALL[index],
-                pairs: taken(index),
-                mean_square: self.squares[index] / taken(index) as f64,
-            })
-            .collect();
-        if self.tick == 0 {
+        if self.tick < self.pairs() {
             return None;
         }
-        let mean_square = self.squares.iter().sum::<f64>() / self.tick as f64;
+        let of_each = self.squares.chunks(usize::try_from(self.pairs_per_place).ok()?);
+        let places = Place::ALL.into_iter().zip(of_each);
+        let places: Option<Vec<PlaceError>> = places
+            .map(|(place, squares)| {
+                Some(PlaceError { place, mean_square: Estimate::mean(squares)? })
+            })
+            .collect();
+        let places = places?;
+        let mean_square = over_all(&places);
         // Eq. (2.8): ς² = k/N ‖d − r‖²
-        let variance = self.factor * mean_square;
-        let deviation_m = libm::sqrt(variance);
-        Some(CalibrationReport { places, mean_square, factor: self.factor, variance, deviation_m })
+        let root = |mean_square: f64| libm::sqrt(self.factor * mean_square.max(0.0));
+        let deviation_m = Estimate {
+            value: root(mean_square.value),
+            low: root(mean_square.low),
+            high: root(mean_square.high),
+            n: mean_square.n,
+        };
+        Some(CalibrationReport { places, mean_square, factor: self.factor, deviation_m })
     }
+}
+
+/// The mean over places of as many pairs each. The places are chosen, not drawn, so that what they differ
+/// by adds nothing to the interval.
+#[expect(clippy::cast_precision_loss, reason = "a handful of places")]
+fn over_all(places: &[PlaceError]) -> Estimate {
+    let count = places.len() as f64;
+    let value = places.iter().map(|place| place.mean_square.value).sum::<f64>() / count;
+    let half = |of: &Estimate| of.high - of.value;
+    let squares = places.iter().map(|place| half(&place.mean_square).powi(2)).sum::<f64>();
+    let half = libm::sqrt(squares) / count;
+    let n = places.iter().map(|place| place.mean_square.n).sum();
+    Estimate { value, low: value - half, high: value + half, n }
 }
 
 #[cfg(test)]
@@ -255,8 +266,8 @@ mod tests {
         let (pairs, report) = run(NoiseLevel::times(1.0), 2000);
         let squares = pairs.iter().map(|pair| (pair.truth_m - pair.reading.range_m).powi(2));
         let mean_square = squares.sum::<f64>() / pairs.len() as f64;
-        assert!((report.variance - 1.5 * mean_square).abs() < 1e-12);
-        assert!((report.deviation_m.powi(2) - report.variance).abs() < 1e-12);
+        assert!((report.mean_square.value - mean_square).abs() < 1e-12);
+        assert!((report.deviation_m.value.powi(2) - 1.5 * mean_square).abs() < 1e-12);
     }
 
     #[test]
@@ -264,16 +275,49 @@ mod tests {
         let (_, report) = run(NoiseLevel::times(1.0), 40_000);
         // In the free way only spurious readings err, with probability 0.01: U(0.1524, 2) instead of 2.
         let expected = 0.01 * (2.0_f64 - 0.1524).powi(2) / 3.0;
-        let free = report.places[4];
+        let free = report.places[4].mean_square;
         // 400 such readings, of a square with a deviation of 0.9 times its mean: four deviations.
         assert!(
-            (free.mean_square / expected - 1.0).abs() < 4.0 * 0.9 / 400_f64.sqrt() + 0.05,
+            (free.value / expected - 1.0).abs() < 4.0 * 0.9 / 400_f64.sqrt() + 0.05,
             "{free:?}"
         );
         // An ideal sonar before a wall errs by what lies between two rays.
         let (_, ideal) = run(NoiseLevel::IDEAL, 2000);
         for place in &ideal.places {
-            assert!(place.mean_square < 1e-3, "{place:?}");
+            assert!(place.mean_square.value < 1e-3, "{place:?}");
         }
+    }
+
+    #[test]
+    fn places_err_as_in_a_model_made_apart_from_this_one() {
+        // Mean squares of 2000 pairs a place at the level 1, in m², by a prototype that shares no code.
+        // NOTE: its corridor, 0.2109, and its door edge, 0.0660, are laid out in ways that it does not
+        // state, and ours, 0.269 and 0.017, are not within its error.
+        let prototype = [(Place::Wall, 0.0304), (Place::Corner, 0.0241), (Place::FreeWay, 0.0126)];
+        let (ours, theirs) = (100_000_u32, 2000.0);
+        let (_, report) = run(NoiseLevel::times(1.0), u64::from(ours));
+        // Half an interval is 1.96 standard errors of our mean; the prototype's is greater by the root of
+        // the ratio of the samples. Three standard errors of the difference.
+        let grown = libm::sqrt(1.0 + f64::from(ours) / theirs);
+        let allowed = |of: &Estimate| 3.0 / 1.96 * (of.high - of.value) * grown;
+        for (place, expected) in prototype {
+            let found = report.places.iter().find(|of| of.place == place).expect("visited");
+            let found = found.mean_square;
+            let off = (found.value - expected).abs();
+            assert!(off < allowed(&found), "{place:?}: {found:?}, not {expected}");
+        }
+        let off = (report.mean_square.value - 0.0688).abs();
+        assert!(off < allowed(&report.mean_square), "{:?}", report.mean_square);
+    }
+
+    #[test]
+    fn the_interval_of_all_places_is_that_of_a_mean_of_means() {
+        // Half widths 3 and 4 of two places: √(3² + 4²) / 2.
+        let place = |value, half: f64| PlaceError {
+            place: Place::Wall,
+            mean_square: Estimate { value, low: value - half, high: value + half, n: 10 },
+        };
+        let all = over_all(&[place(10.0, 3.0), place(20.0, 4.0)]);
+        assert_eq!(all, Estimate { value: 15.0, low: 12.5, high: 17.5, n: 20 });
     }
 }

@@ -20,17 +20,33 @@ pub enum HashingError {
     #[error("there must be 1 to {MOST_REGIONS} regions, not {0}")]
     Count(usize),
     /// A region has no sonar.
-    #[error("region {0} must have at least one sonar")]
+    #[error("region {} must have at least one sonar", .0 + 1)]
     Empty(usize),
-    /// A region names a sonar that there is not, or one twice.
-    #[error("region {region} must name sonars from 0 to {most}, each once, not {found}")]
-    Sonar {
+    /// A region names a sonar that there is not.
+    #[error("region {} must name sonars from 0 to {most}, not {found}", region + 1)]
+    Unknown {
         /// Which region, from 0.
         region: usize,
         /// The last sonar.
         most: usize,
         /// What it names.
         found: usize,
+    },
+    /// A region names a sonar twice.
+    #[error("region {} must name sonar {sonar} once, not twice", region + 1)]
+    Twice {
+        /// Which region, from 0.
+        region: usize,
+        /// The sonar.
+        sonar: usize,
+    },
+    /// A region names what is no number.
+    #[error("region {} must name sonars by their numbers, as 0,1,2, not `{found}`", region + 1)]
+    Word {
+        /// Which region, from 0.
+        region: usize,
+        /// What it names.
+        found: String,
     },
     /// A sonar is in no region.
     #[error("sonar {0} must be in a region; the regions must cover all sonars")]
@@ -81,8 +97,11 @@ impl Hashing {
                 return Err(HashingError::Empty(region));
             }
             for (place, &found) in members.iter().enumerate() {
-                if found >= sonars || members[..place].contains(&found) {
-                    return Err(HashingError::Sonar { region, most: sonars.max(1) - 1, found });
+                if found >= sonars {
+                    return Err(HashingError::Unknown { region, most: sonars.max(1) - 1, found });
+                }
+                if members[..place].contains(&found) {
+                    return Err(HashingError::Twice { region, sonar: found });
                 }
                 covered[found] = true;
             }
@@ -91,6 +110,24 @@ impl Hashing {
             Some(sonar) => Err(HashingError::Uncovered(sonar)),
             None => Ok(Self { regions, sonars }),
         }
+    }
+
+    /// Regions as they are written, the sonars of each with commas, regions with semicolons, from the left
+    /// to the right: `0,1,2; 1,2,3,4`.
+    ///
+    /// # Errors
+    /// As [`Self::new`], and when a sonar is no number.
+    pub fn parse(text: &str, sonars: usize) -> Result<Self, HashingError> {
+        let sonar = |region, word: &str| {
+            word.parse().map_err(|_| HashingError::Word { region, found: word.to_owned() })
+        };
+        let members = |(region, text): (usize, &str)| match text.trim() {
+            "" => Ok(Vec::new()),
+            text => text.split(',').map(|word| sonar(region, word.trim())).collect(),
+        };
+        let regions: Result<Vec<Vec<usize>>, _> =
+            text.split(';').enumerate().map(members).collect();
+        Self::new(regions?, sonars)
     }
 
     /// So many regions of neighbouring sonars, as even as can be.
@@ -196,13 +233,32 @@ mod tests {
             (vec![], HashingError::Count(0)),
             (vec![vec![0]; 11], HashingError::Count(11)),
             (vec![vec![0, 1, 2], vec![]], HashingError::Empty(1)),
-            (vec![vec![0, 1], vec![2, 3]], HashingError::Sonar { region: 1, most: 2, found: 3 }),
-            (vec![vec![0, 1, 2, 0]], HashingError::Sonar { region: 0, most: 2, found: 0 }),
+            (vec![vec![0, 1], vec![2, 3]], HashingError::Unknown { region: 1, most: 2, found: 3 }),
+            (vec![vec![0, 1, 2, 0]], HashingError::Twice { region: 0, sonar: 0 }),
             (vec![vec![0], vec![2]], HashingError::Uncovered(1)),
         ] {
             assert_eq!(Hashing::new(regions, 3), Err(error));
         }
         assert_eq!(Hashing::even(6, 5, true), Err(HashingError::Empty(0)));
+    }
+
+    #[test]
+    fn regions_are_read_as_they_are_written() {
+        let text = "0,1,2; 1,2,3,4; 3,4,5,6; 5, 6,7,8 ;7,8,9";
+        assert_eq!(Hashing::parse(text, 10), Hashing::even(5, 10, true));
+        for (text, says) in [
+            ("0,1;;2", "region 2 must have at least one sonar"),
+            ("0,1,2;", "region 2 must have at least one sonar"),
+            ("0,1,12;2", "region 1 must name sonars from 0 to 2, not 12"),
+            ("0,1;2,1,2", "region 2 must name sonar 2 once, not twice"),
+            ("0,1;2,x", "region 2 must name sonars by their numbers, as 0,1,2, not `x`"),
+            ("0,1;-2", "region 2 must name sonars by their numbers, as 0,1,2, not `-2`"),
+            ("0;2", "sonar 1 must be in a region; the regions must cover all sonars"),
+            ("0;1;2;0;1;2;0;1;2;0;1", "there must be 1 to 10 regions, not 11"),
+        ] {
+            let error = Hashing::parse(text, 3).expect_err(text);
+            assert_eq!(error.to_string(), says);
+        }
     }
 
     #[test]

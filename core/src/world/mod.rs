@@ -33,7 +33,9 @@ pub use check::{EXTENT_LIMIT_M, REGION_LIMIT, WALL_LIMIT};
 pub use error::WorldError;
 pub use file::{Axis, GoalFile, HomeFile, RegionFile, RuleFile, WorldFile};
 pub use partition::{DEFAULT_REGIONS, propose_regions, way_m};
-pub use people::{Obstacle, PERSON_RADIUS_M, Passage, People, PeopleError, Person};
+pub use people::{
+    Obstacle, PERSON_RADIUS_M, Passage, People, PeopleError, PeopleFile, Person, PersonFile,
+};
 pub use ray::Hit;
 pub use region::{HalfPlane, Region};
 pub use scan::{RayFan, RayRing};

@@ -8,6 +8,7 @@
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Exp, Uniform};
+use serde::Deserialize;
 
 use crate::geometry::Vec2;
 
@@ -64,6 +65,29 @@ pub struct Person {
     pub pausing_s: f64,
     until_pause_s: f64,
     held_up_s: f64,
+}
+
+/// Most people of a file.
+const MOST: usize = 50;
+
+/// People of one's own, as a file gives them.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PeopleFile {
+    /// Each of them.
+    pub people: Vec<PersonFile>,
+}
+
+/// One of them.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PersonFile {
+    /// Where they start: along the corridor and to the left of its middle, metres.
+    pub start_m: [f64; 2],
+    /// Pace along the corridor, from -3 to 3 m/s; below 0 towards its beginning.
+    pub pace_m_s: f64,
+    /// Lane that they walk in, metres to the left of the middle; where they start when missing.
+    pub lane_m: Option<f64>,
 }
 
 /// What they have to mind of the robot.
@@ -157,25 +181,34 @@ impl People {
         Self { length_m, half_width_m, doors, everybody, rng }
     }
 
-    /// People who start where they are told to, as `[x_m, y_m, pace_m_s]`; their lane is where they start.
+    /// People who start where they are told to and walk in the lanes they are told; a door they pass
+    /// through its middle, whatever their lane.
     ///
     /// # Errors
-    /// The first who does not stand free of walls and door frames, or has no pace a person can have.
+    /// The first who does not stand free of walls and door frames, whose lane leads through a wall, or who
+    /// has no pace a person can have; the first who is too many.
     pub fn placed(
-        people: &[[f64; 3]],
+        people: &[PersonFile],
         [length_m, half_width_m]: [f64; 2],
         doors: Vec<Passage>,
         rng: ChaCha8Rng,
     ) -> Result<Self, PeopleError> {
+        if people.len() > MOST {
+            let problem = format!("is too many; there may be {MOST} people");
+            return Err(PeopleError { person: MOST, problem });
+        }
         let mut all = Self { length_m, half_width_m, doors, everybody: Vec::new(), rng };
-        for (person, &[x_m, y_m, pace_m_s]) in people.iter().enumerate() {
-            let place = Vec2::new(x_m, y_m);
-            all.check(place, pace_m_s).map_err(|problem| PeopleError { person, problem })?;
+        for (person, file) in people.iter().enumerate() {
+            let refuse = |problem| PeopleError { person, problem };
+            let (place, lane_m) =
+                (Vec2::from(file.start_m), file.lane_m.unwrap_or(file.start_m[1]));
+            all.check(place, file.pace_m_s).map_err(refuse)?;
+            all.check_lane(lane_m).map_err(refuse)?;
             let until_pause_s = until_pause_s(&mut all.rng);
             all.everybody.push(Person {
                 place,
-                pace_m_s,
-                lane_m: y_m,
+                pace_m_s: file.pace_m_s,
+                lane_m,
                 pausing_s: 0.0,
                 until_pause_s,
                 held_up_s: 0.0,
@@ -188,20 +221,40 @@ impl People {
         if !(-3.0..=3.0).contains(&pace_m_s) {
             return Err(format!("the pace must be from -3 to 3 m/s, not {pace_m_s}"));
         }
-        let free = (PERSON_RADIUS_M..=self.length_m - PERSON_RADIUS_M).contains(&place.x)
-            && place.y.abs() <= self.half_width_m - PERSON_RADIUS_M
+        let [x, y] = [place.x, place.y];
+        let inside = (0.0..=self.length_m).contains(&x) && y.abs() <= self.half_width_m;
+        if !inside {
+            return Err(format!("({x}, {y}) is outside the corridor, {}", self.size()));
+        }
+        let free = (PERSON_RADIUS_M..=self.length_m - PERSON_RADIUS_M).contains(&x)
+            && y.abs() <= self.half_width_m - PERSON_RADIUS_M
             && self.is_clear_of_frames(place);
         if free {
             return Ok(());
         }
         Err(format!(
-            "({}, {}) is in a wall; a person must stand {PERSON_RADIUS_M} m from walls and door frames, in a \
-             corridor of {} by {} m",
-            place.x,
-            place.y,
-            self.length_m,
-            2.0 * self.half_width_m
+            "({x}, {y}) is in a wall; a person must stand {PERSON_RADIUS_M} m from walls and door frames in \
+             the corridor, {}",
+            self.size()
         ))
+    }
+
+    fn check_lane(&self, lane_m: f64) -> Result<(), String> {
+        let most_m = self.half_width_m - PERSON_RADIUS_M;
+        if lane_m.abs() <= most_m {
+            return Ok(());
+        }
+        Err(format!(
+            "the lane at {lane_m} leads through the wall at {}; it must be from {:.2} to {most_m:.2} m",
+            self.half_width_m.copysign(lane_m),
+            -most_m
+        ))
+    }
+
+    /// Where the corridor is, in words.
+    fn size(&self) -> String {
+        let half_m = self.half_width_m;
+        format!("x from 0 to {} m, y from {} to {half_m} m", self.length_m, -half_m)
     }
 
     /// Everybody, in their order.
@@ -344,13 +397,41 @@ mod tests {
             ([5.0, 1.1, 1.0], 1, "(5, 1.1) is in a wall"),
             ([20.0, 0.8, 1.0], 1, "in a wall"),
             ([0.1, 0.0, 1.0], 1, "in a wall"),
-            ([f64::NAN, 0.0, 1.0], 1, "in a wall"),
+            ([f64::NAN, 0.0, 1.0], 1, "is outside the corridor"),
+            ([41.0, 0.0, 1.0], 1, "(41, 0) is outside the corridor, x from 0 to 40 m"),
+            ([5.0, -1.3, 1.0], 1, "(5, -1.3) is outside the corridor"),
             ([5.0, 0.0, f64::INFINITY], 1, "the pace must be"),
         ] {
-            let people = [[3.0, 0.0, 1.0], place];
+            let person_of = |[x_m, y_m, pace_m_s]: [f64; 3]| PersonFile {
+                start_m: [x_m, y_m],
+                pace_m_s,
+                lane_m: None,
+            };
+            let people = [[3.0, 0.0, 1.0], place].map(person_of);
             let error = People::placed(&people, SIZE_M, doors(), rng()).expect_err(says);
             assert!(error.person == person && error.problem.contains(says), "{error}");
         }
+    }
+
+    #[test]
+    fn a_lane_that_leads_through_a_wall_is_refused_and_another_is_walked_in() {
+        let person =
+            |lane_m| PersonFile { start_m: [3.0, 0.0], pace_m_s: 1.0, lane_m: Some(lane_m) };
+        let placed = |people: &[PersonFile]| {
+            People::placed(people, SIZE_M, doors(), stream(1, 0, Purpose::People))
+        };
+        for lane_m in [1.0, -1.0, f64::NAN] {
+            let error = placed(&[person(0.0), person(lane_m)]).expect_err("in the wall");
+            assert!(error.person == 1 && error.problem.contains("leads through"), "{error}");
+        }
+        assert_eq!(placed(&[person(0.0); 51]).expect_err("51 people").person, 50);
+        let mut people = placed(&[person(-0.9)]).expect("free");
+        // 0.9 m aside at 0.4 m/s are 2.25 s; the robot is far away.
+        for _ in 0..100 {
+            people.step(0.025, &robot(35.0, 0.0));
+        }
+        let place = people.everybody()[0].place;
+        assert!((place - Vec2::new(5.5, -0.9)).norm() < 1e-9, "{place}");
     }
 
     proptest! {

@@ -166,12 +166,12 @@ fn read_log(app: &App, id: &str) -> Result<Option<Vec<u8>>, Failure> {
 }
 
 /// The ending of a file that there is.
-fn format_of(file: &str, known: &[&'static str]) -> Option<&'static str> {
+pub(super) fn format_of(file: &str, known: &[&'static str]) -> Option<&'static str> {
     let known = known.iter().find(|known| **known == file)?;
     known.rsplit_once('.').map(|(_, ending)| ending)
 }
 
-fn no_such_file(file: &str, known: &[&str]) -> Failure {
+pub(super) fn no_such_file(file: &str, known: &[&str]) -> Failure {
     Failure::not_found(format!("there is no {file}; there are {}", known.join(", "))).at("file")
 }
 
@@ -182,6 +182,7 @@ pub(super) fn download(name: &str, format: &str, body: Body) -> Response {
         "png" => ("image/png", "inline"),
         "json" => ("application/json", "attachment"),
         "csv" => ("text/csv; charset=utf-8", "attachment"),
+        "txt" => ("text/plain; charset=utf-8", "attachment"),
         "zip" => ("application/zip", "attachment"),
         _ => ("application/octet-stream", "attachment"),
     };

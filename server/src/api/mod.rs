@@ -2,6 +2,7 @@
 //! OpenAPI document and its page.
 
 mod arena;
+mod calibration;
 mod controls;
 mod experiments;
 mod extract;

@@ -8,8 +8,8 @@ use utoipa_axum::routes;
 use utoipa_swagger_ui::SwaggerUi;
 
 use super::{
-    App, arena, controls, experiments, files, fusion, interventions, reproductions, rules,
-    sessions, starts, stream, ticks, traces, worlds,
+    App, arena, calibration, controls, experiments, files, fusion, interventions, reproductions,
+    rules, sessions, starts, stream, ticks, traces, worlds,
 };
 
 #[derive(OpenApi)]
@@ -69,6 +69,8 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(reproductions::curves))
         .routes(routes!(reproductions::picture))
         .routes(routes!(fusion::fuse))
+        .routes(routes!(calibration::one))
+        .routes(routes!(calibration::file))
         .routes(routes!(stream::open))
         .merge(world_routes())
 }

@@ -26,6 +26,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sonarium_core::fuzzy::RuleBase;
+use sonarium_core::robot::{self, Robot};
 
 use crate::wire::ExperimentInfo;
 
@@ -95,6 +96,12 @@ impl Catalog {
     /// Adds a world for this run, before all others of its name.
     pub fn give_world(&mut self, world: NamedWorld) {
         self.worlds.give(world);
+    }
+
+    /// What the robot of chapter 2 carries: its sonars are those that are calibrated.
+    #[must_use]
+    pub fn equipment(&self) -> Option<&robot::Equipment> {
+        self.plain.iter().find_map(plain::PlainExperiment::robot).and_then(Robot::equipment)
     }
 
     /// The rule bases that drive robots, each once.

@@ -4,14 +4,17 @@
 //! message that names the field and what would be right.
 
 mod bench;
+mod calibrate;
 mod experiments;
 mod output;
 mod reproduce;
+mod rules;
 mod run;
 mod serve;
 mod world;
 
-use std::path::PathBuf;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -40,8 +43,12 @@ enum Command {
     Run(run::Arguments),
     /// Compute a table or figure of the thesis again and hold it against what is printed
     Reproduce(reproduce::Arguments),
+    /// Take the deviation ς of a sonar for a level of noise, Eq. (2.8)
+    Calibrate(calibrate::Arguments),
     /// List the experiments with their settings
     Experiments(experiments::Arguments),
+    /// List, print, check and convert rule bases
+    Rules(rules::Arguments),
     /// Trace a world from a map, or check one
     World(world::Arguments),
     /// Measure speed and memory
@@ -73,7 +80,9 @@ pub fn main() -> ExitCode {
         Some(Command::Serve(arguments)) => serve::serve(&arguments),
         Some(Command::Run(arguments)) => run::run(&arguments),
         Some(Command::Reproduce(arguments)) => reproduce::reproduce(&arguments),
+        Some(Command::Calibrate(arguments)) => calibrate::run(&arguments),
         Some(Command::Experiments(arguments)) => experiments::list(&arguments),
+        Some(Command::Rules(arguments)) => rules::rules(&arguments),
         Some(Command::World(arguments)) => world::world(&arguments),
         Some(Command::Bench(arguments)) => bench::bench(&arguments),
     };
@@ -91,6 +100,15 @@ pub fn main() -> ExitCode {
 fn default_data() -> PathBuf {
     let folders = directories::ProjectDirs::from("", "", "sonarium");
     folders.map_or_else(|| "sonarium-data".into(), |folders| folders.data_dir().to_owned())
+}
+
+/// Why nothing can be written where `--out` says.
+fn refused(path: &Path, error: &std::io::Error) -> Failure {
+    let text = format!("--out: {}: {error}", path.display());
+    match error.kind() {
+        ErrorKind::StorageFull => Failure::Failed(text),
+        _ => Failure::Input(text),
+    }
 }
 
 /// Threads that can work at once.
@@ -152,7 +170,7 @@ impl From<ReportError> for Failure {
 impl From<std::io::Error> for Failure {
     fn from(error: std::io::Error) -> Self {
         match error.kind() {
-            std::io::ErrorKind::BrokenPipe => Self::Closed,
+            ErrorKind::BrokenPipe => Self::Closed,
             _ => Self::Failed(error.to_string()),
         }
     }

@@ -1,5 +1,6 @@
 //! `sonarium run`.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -8,6 +9,7 @@ use clap::Args;
 use indicatif::ProgressBar;
 use serde::Deserialize;
 use serde_json::Value as Json;
+use sonarium_core::experiment::{PEOPLE_FILE, RULES_FILE};
 
 use super::{Failure, cores, default_data, output, world};
 use crate::batch;
@@ -49,6 +51,12 @@ pub(super) struct Arguments {
     world: Option<PathBuf>,
     #[command(flatten)]
     placing: world::Placing,
+    /// People of one's own in `corridor`: a TOML file, a table [[people]] each
+    #[arg(long, value_name = "FILE")]
+    people: Option<PathBuf>,
+    /// Rules of one's own in `block-world` and `corridor`: a rule file or FLL
+    #[arg(long, value_name = "FILE")]
+    rules: Option<PathBuf>,
     /// Pose to start the trained networks from afterwards, x and y in metres and heading in degrees, e.g.
     /// --start 1,0.5,90; may be given again. When missing, those of the experiment, if it has any
     #[arg(long, value_name = "X,Y,DEG", allow_hyphen_values = true)]
@@ -159,6 +167,12 @@ fn requests(arguments: &Arguments) -> Result<Vec<NewSession>, Failure> {
     let config = arguments.config.as_ref().map(read_config).transpose()?.unwrap_or_default();
     let mut settings = flatten(config.settings);
     settings.extend(arguments.set.iter().map(|set| (set.key.clone(), set.value.clone())));
+    if let Some(file) = &arguments.people {
+        take_file(&mut settings, PEOPLE_FILE, "people", file)?;
+    }
+    if let Some(file) = &arguments.rules {
+        take_file(&mut settings, RULES_FILE, "rules", file)?;
+    }
     let network = arguments.network.as_deref().map(network::read).transpose()?;
     let request = |seed| NewSession {
         experiment: arguments.experiment.clone(),
@@ -172,6 +186,24 @@ fn requests(arguments: &Arguments) -> Result<Vec<NewSession>, Failure> {
         Some(Seeds { first, last }) => (first..=last).map(|seed| request(Some(seed))).collect(),
         None => vec![request(arguments.seed.or(config.seed))],
     })
+}
+
+/// Takes the text of a file as a setting.
+fn take_file(
+    settings: &mut BTreeMap<String, Json>,
+    key: &str,
+    flag: &str,
+    path: &Path,
+) -> Result<(), Failure> {
+    let text = fs::read_to_string(path)
+        .map_err(|error| Failure::Input(format!("--{flag} {}: {error}", path.display())))?;
+    if text.trim().is_empty() {
+        return Err(Failure::Input(format!("--{flag} {}: the file is empty", path.display())));
+    }
+    match settings.insert(key.to_owned(), text.into()) {
+        None => Ok(()),
+        Some(_) => Err(Failure::Input(format!("give either --{flag} or --set {key}=TEXT"))),
+    }
 }
 
 fn read_config(path: &PathBuf) -> Result<Config, Failure> {

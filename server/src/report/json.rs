@@ -95,7 +95,7 @@ struct TrialFile<'a> {
 }
 
 /// A session's file is short and people look into it.
-fn pretty(file: &impl Serialize) -> String {
+pub(super) fn pretty(file: &impl Serialize) -> String {
     serde_json::to_string_pretty(file).expect("plain data with text keys always serialises")
 }
 

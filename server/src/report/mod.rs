@@ -5,6 +5,7 @@
 //! module: [`html`], [`csv`], [`json`], and [`zip`] for all of them together.
 
 mod archive;
+mod calibration;
 mod closing;
 mod command;
 mod csv;
@@ -27,6 +28,9 @@ mod sample;
 mod sample_trial;
 
 pub use archive::{ArchiveError, zip};
+pub use calibration::{
+    calibration_csv, calibration_html, calibration_json, calibration_markdown, calibration_text,
+};
 pub use csv::{csv, line as csv_line, trial_csv};
 pub use differences::{Difference, Differences};
 pub use drive::{DriveReport, drive_csv, drive_html, drive_json, drive_zip};

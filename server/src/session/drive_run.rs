@@ -1,5 +1,7 @@
 //! A run of chapter 2: a robot driven by rules, or gliding towards a wall.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 use sonarium_core::experiment::{
     ApproachRun, NavigationCheckpoint, NavigationError, NavigationRun,
@@ -307,17 +309,32 @@ const COMPARED: [Method; 2] = [Method::Minimum, Method::MedianKalman];
 
 fn machines(plan: &PlainPlan) -> Result<Vec<Machine>, FieldError> {
     let Equipment { robot, rules } = equipment(plan)?;
+    let rules = plan.texts.rules()?.map_or_else(|| rules.clone(), Arc::new);
     let (rules, seed) = (|| rules.clone(), plan.seed);
+    let regions = plan.texts.regions(robot.sonars().len())?;
+    let people = plan.texts.people()?;
     let drivers = |compare: bool, method: Method| {
         if compare { COMPARED.to_vec() } else { vec![method] }
     };
     let drive = |driver: Method, run: Result<NavigationRun, NavigationError>| {
+        let run = run.and_then(|run| match &regions {
+            Some(regions) => run.hashed_into(regions.clone()),
+            None => Ok(run),
+        });
+        let run = run.and_then(|run| match &people {
+            Some(people) => run.peopled_by(people.clone()),
+            None => Ok(run),
+        });
         let run = run.map_err(|error| field(&error))?;
         Ok(Machine { driver, core: Core::Drive(Box::new(run)) })
     };
     match &plan.settings {
         PlainSettings::WallApproach(settings) => {
             let run = ApproachRun::new(robot, settings, seed).map_err(|error| field(&error))?;
+            let run = match &regions {
+                Some(regions) => run.hashed_into(regions.clone()),
+                None => run,
+            };
             Ok(vec![Machine { driver: settings.method, core: Core::Approach(Box::new(run)) }])
         }
         PlainSettings::BlockWorld(settings) => drivers(settings.compare, settings.method)

@@ -64,10 +64,146 @@ async fn every_experiment_of_chapter_2_runs_live_as_headless() {
     }
 }
 
+#[test]
+fn regions_of_one_s_own_are_those_that_are_read() {
+    const THESIS: &str = "0,1,2; 1,2,3,4; 3,4,5,6; 5,6,7,8; 7,8,9";
+    // The readings are the same, so that runs are the same if and only if the regions are.
+    for (experiment, settings) in [
+        ("wall-approach", json!({})),
+        ("block-world", json!({ "trial.time_limit": 20 })),
+        ("corridor", corridor()),
+    ] {
+        let with = |sets: &str| {
+            let mut settings = settings.clone();
+            settings["hashing.sets"] = sets.into();
+            undisturbed(&request(experiment, 1, settings, MAX))
+        };
+        let usual = with("");
+        assert_eq!(with(THESIS), usual, "{experiment}");
+        assert_ne!(with("0,1; 2,3; 4,5,6; 7,8; 9"), usual, "{experiment}");
+    }
+}
+
+#[test]
+fn regions_that_do_not_fit_are_refused_with_the_place() {
+    let refusal = |experiment: &str, sets: &str| {
+        let request = request(experiment, 1, json!({ "hashing.sets": sets }), MAX);
+        let catalog = Catalog::load(None).expect("the embedded files");
+        let Job::Plain(plan) = catalog.job(&request).expect("a text") else { panic!("a path") };
+        batch::drive(&plan, || {}).err().map(|error| (error.field, error.message))
+    };
+    for sets in ["0,1,2,3,4,5,6,7,8,9", "0;1;2;3;4;5;6;7;8;9", "0,1,2; 2,3,4,5; 5,6,7,8,9"] {
+        assert_eq!(refusal("wall-approach", sets), None, "{sets}");
+        for experiment in ["block-world", "corridor"] {
+            let (field, message) = refusal(experiment, sets).expect("not five regions");
+            assert_eq!(field, "settings.hashing.sets");
+            assert!(message.contains("must be 5 regions"), "{message}");
+        }
+    }
+    for (sets, says) in [
+        ("0,1,2,3,4; 5,6,7,8,9,12", "region 2 must name sonars from 0 to 9, not 12"),
+        ("0,1,2,3; 3,4,5,6; 7,8", "sonar 9 must be in a region"),
+    ] {
+        let (field, message) = refusal("wall-approach", sets).expect("refused");
+        assert_eq!(field, "settings.hashing.sets");
+        assert!(message.contains(says), "{message}");
+    }
+}
+
+const PEOPLE: &str = "[[people]]\nstart_m = [5.0, 0.4]\npace_m_s = -0.7\n\n\
+                      [[people]]\nstart_m = [9.0, 0.0]\npace_m_s = 1.1\nlane_m = -0.8\n";
+
+#[test]
+fn people_of_one_s_own_start_where_their_file_says() {
+    let mut settings = corridor();
+    settings["people.file"] = PEOPLE.into();
+    let catalog = Catalog::load(None).expect("the embedded files");
+    let request = request("corridor", 1, settings, MAX);
+    let Job::Plain(plan) = catalog.job(&request).expect("a good request") else { panic!("a path") };
+    let mut run = super::DriveRun::new(&plan).expect("good settings");
+    let people = run.step().cycle.people_m;
+    // A cycle is 0.4 s: 0.28 m back in the own lane, and 0.44 m on while the lane is changed by 0.16 m.
+    for (person, expected) in people.iter().zip([[4.72, 0.4], [9.44, -0.16]]) {
+        for (found, expected) in person.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-3, "{people:?}");
+        }
+    }
+    assert_eq!(people.len(), 2);
+}
+
+#[test]
+fn people_who_cannot_be_there_are_named() {
+    let refusal = |people: &str| {
+        let mut settings = corridor();
+        settings["people.file"] = people.into();
+        let catalog = Catalog::load(None).expect("the embedded files");
+        let request = request("corridor", 1, settings, MAX);
+        let Job::Plain(plan) = catalog.job(&request).expect("a text") else { panic!("a path") };
+        let error = super::DriveRun::new(&plan).err().expect("refused");
+        assert_eq!(error.field, "settings.people.file");
+        error.message
+    };
+    let second = |start: &str, pace: &str| {
+        format!("{PEOPLE}[[people]]\nstart_m = {start}\npace_m_s = {pace}")
+    };
+    for (people, says) in [
+        (second("[13, 0]", "1"), "people[2]: (13, 0) is outside the corridor, x from 0 to 12 m"),
+        (second("[6.0, 0.9]", "1"), "people[2]: (6, 0.9) is in a wall"),
+        (second("[4, 0]", "9"), "people[2]: the pace must be from -3 to 3 m/s"),
+        (
+            second("[4, 0]", "1\nlane_m = 1.1"),
+            "people[2]: the lane at 1.1 leads through the wall at 1.2",
+        ),
+        (second("[1.5, 0.2]", "1"), "people[2]: stands where the robot may start"),
+        (second("[4, 0]", "fast"), "TOML parse error at line 11"),
+        ("[[people]]\nstart_m = [1]".into(), "TOML parse error at line 2"),
+        ("[[people]]\nspeed = 1".into(), "unknown field `speed`"),
+    ] {
+        let message = refusal(&people);
+        assert!(message.contains(says), "{message}");
+    }
+}
+
+#[test]
+fn rules_of_one_s_own_drive_and_those_that_do_not_fit_are_refused() {
+    let catalog = Catalog::load(None).expect("the embedded files");
+    let navigator = catalog.rules().remove(0);
+    let settings = |rules: &str| json!({ "trial.time_limit": 20, "rules.file": rules });
+    let driven = |rules: &str| undisturbed(&request("block-world", 1, settings(rules), MAX));
+    let usual = driven("");
+    assert_eq!(driven(&navigator.to_text()), usual);
+    assert_eq!(driven(&navigator.to_fll()), usual);
+    // All is safe and it drives fast: now at 5 cm/s.
+    let text = navigator.to_text();
+    let slower = text.replacen(
+        "safe safe safe safe safe fast -> 15 0",
+        "safe safe safe safe safe fast -> 5 0",
+        1,
+    );
+    assert_ne!(slower, text);
+    assert_ne!(driven(&slower), usual);
+    for (rules, says) in [
+        (text.replacen("-> 15 0", "-> fast 0", 1), "rules, line "),
+        (text.replace("far_left", "port"), "must be for far_left (m), left (m)"),
+        (text.replace("output w deg/s", "output w rad/s"), "not far_left (m)"),
+    ] {
+        let request = request("block-world", 1, settings(&rules), MAX);
+        let Job::Plain(plan) = catalog.job(&request).expect("a text") else { panic!("a path") };
+        let error = super::DriveRun::new(&plan).err().expect("refused");
+        assert_eq!(error.field, "settings.rules.file");
+        assert!(error.message.contains(says), "{}", error.message);
+    }
+}
+
 #[tokio::test]
 async fn pausing_stopping_and_restarting_change_no_bit_of_a_driven_run() {
     let house = House::new();
-    let request = request("corridor", 4, corridor(), MAX);
+    let settings = {
+        let mut settings = corridor();
+        settings["people.file"] = PEOPLE.into();
+        settings
+    };
+    let request = request("corridor", 4, settings, MAX);
     let id = house.lab().create(&request).expect("a good request").id;
     house.control(&id, RUN).await;
     house.until(&id, |s| s.state == State::Paused && s.rounds_done == 1).await;

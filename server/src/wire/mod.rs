@@ -3,6 +3,7 @@
 //! Angles are degrees and lengths metres here; `core` works in radians. The page's TypeScript is
 //! generated from these types, and a test fails when it is stale.
 
+mod calibration;
 mod drive;
 mod experiment;
 mod fusion;
@@ -17,6 +18,7 @@ mod typescript;
 mod world;
 mod yardstick;
 
+pub use calibration::*;
 pub use drive::*;
 pub use experiment::*;
 pub use fusion::*;

@@ -45,6 +45,7 @@ fn declarations(config: &Config) -> Vec<String> {
         DriveOutcome, MethodScoreView, DriveScore, DriveScores, MethodSummary, MeasureView, CourseView,
         FaceView, MethodView, DoorView, RuleBaseView, VariableView, SetView, RuleList, RuleView, DriveResult,
         MethodRequest, SonarRequest,
+        CalibrationQuestion, CalibrationPlace, CalibrationView, CalibratedSetting,
         GaussianView, LostAtSea, TableResult, AdviceRequest, TableRequest, TableFile,
         ReproductionTarget, ReproductionArm, ReproductionProgress, ReproductionState,
         Reproduction, ReproductionRow, Verdict, ReproductionCurve, ReproductionPoint,

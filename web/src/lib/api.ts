@@ -4,6 +4,8 @@ import { bodyOf, type Beginning } from './network';
 import type {
   Ack,
   AlteredStartView,
+  CalibrationQuestion,
+  CalibrationView,
   ExperimentInfo,
   LostAtSea,
   NeuronView,
@@ -63,6 +65,14 @@ export const lostAtSea = (
   asked: Record<'star' | 'star_sigma' | 'beacon' | 'beacon_sigma', number>,
 ) => call<LostAtSea>('GET', `lost-at-sea?${query(asked)}`);
 
+/** The deviation ς of a sonar at a level of noise. */
+export const calibration = (asked: CalibrationQuestion) =>
+  call<CalibrationView>('GET', `calibration?${query({ ...asked })}`);
+
+/** Address of a file of its report. */
+export const calibrationFile = (file: string, asked: CalibrationQuestion) =>
+  `${ROOT}/calibration/${file}?${query({ ...asked })}`;
+
 /** A control of a session; `step` may go to the end of the trial. */
 export type Control = 'start' | 'pause' | 'resume' | 'step' | 'stop' | 'reset';
 
@@ -89,6 +99,10 @@ export const setMethod = (id: string, method: string) =>
 /** Silences a sonar, or lets it answer again. */
 export const setSonar = (id: string, sonar: number, silent: boolean) =>
   call<Ack>('POST', `${path(id)}/sonars`, { sonar, silent });
+
+/** Address of a rule base as a file. */
+export const rulesFile = (name: string, form: 'rules' | 'fll') =>
+  `${ROOT}/rules/${encodeURIComponent(name)}.${form}`;
 
 /** A rule base with all its rules. */
 export const rules = (name: string) => call<RuleList>('GET', `rules/${encodeURIComponent(name)}`);
@@ -148,7 +162,7 @@ const targetPath = (target: string) => `reproductions/${encodeURIComponent(targe
 
 const path = (id: string) => `sessions/${encodeURIComponent(id)}`;
 
-function query(parts: Record<string, string | number>): string {
+function query(parts: Record<string, string | number | boolean>): string {
   return new URLSearchParams(
     Object.entries(parts).map(([key, value]) => [key, String(value)]),
   ).toString();

@@ -1649,6 +1649,52 @@ sonar: number,
 /** Whether it falls silent, or answers again. */
 silent: boolean, };
 
+/** What to calibrate. */
+export type CalibrationQuestion = {
+/** Times the noise in the robot's file, 0 to 20; 1 when missing. */
+noise: number,
+/** An ideal sonar: no noise, every ray comes back; `false` when missing. */
+ideal: boolean,
+/** Pairs of the true and the measured distance at each place, 2 to 100000; 2000 when missing. */
+pairs: number,
+/** Factor k, 1 to 10; 1.5 when missing. */
+factor: number,
+/** Seed, up to 2⁵³ − 1; 1 when missing. */
+seed: number, };
+
+/** What a place comes to. */
+export type CalibrationPlace = {
+/** Where the sonar stood. */
+place: string,
+/** Pairs taken. */
+n: number,
+/** Mean square of d − r, m², with its 95 % interval. */
+mean_square: IntervalView,
+/** Its root, metres. */
+rms_m: number, };
+
+/** The deviation of a sonar, and what it comes from. */
+export type CalibrationView = {
+/** What was asked. */
+asked: CalibrationQuestion,
+/** Place by place. */
+places: Array<CalibrationPlace>,
+/** All places together. */
+all: CalibrationPlace,
+/** ς, the root of k times the mean square over all places, metres, with its 95 % interval. */
+deviation_m: IntervalView,
+/** Settings that carry it into a run of the wall approach or the corridor. */
+settings: Array<CalibratedSetting>,
+/** Program version and commit that computed it. */
+build: string, };
+
+/** A setting of a run. */
+export type CalibratedSetting = {
+/** Key. */
+key: string,
+/** Value, as it is typed. */
+value: string, };
+
 /** A normal distribution over a position. */
 export type GaussianView = {
 /** Mean. */

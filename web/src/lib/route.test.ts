@@ -9,18 +9,38 @@ import {
   sessionInPath,
   rulesPath,
   sessionPath,
+  sessionWithPath,
   worldPath,
   type Route,
 } from './route';
 
+type Home = Extract<Route, { page: 'home' }>;
+const home = (asked: Partial<Home>): Home => ({
+  page: 'home',
+  world: '',
+  network: '',
+  like: '',
+  experiment: '',
+  set: [],
+  ...asked,
+});
+
 it.each<[string, Route]>([
-  ['/', { page: 'home', world: '', network: '', like: '' }],
-  [sessionInPath('a&b'), { page: 'home', world: 'a&b', network: '', like: '' }],
-  [goOnPath('a&b'), { page: 'home', world: '', network: 'a&b', like: '' }],
-  [likePath('a&b'), { page: 'home', world: '', network: '', like: 'a&b' }],
+  ['/', home({})],
+  [sessionInPath('a&b'), home({ world: 'a&b' })],
+  [goOnPath('a&b'), home({ network: 'a&b' })],
+  [likePath('a&b'), home({ like: 'a&b' })],
+  [
+    sessionWithPath('corridor', [
+      { key: 'noise.level', value: '1' },
+      { key: 'a', value: 'b=c&d' },
+    ]),
+    home({ experiment: 'corridor', set: ['noise.level=1', 'a=b=c&d'] }),
+  ],
   [sessionPath('a/b'), { page: 'session', id: 'a/b' }],
   ['/sessions/x/', { page: 'session', id: 'x' }],
   ['/reproduce', { page: 'reproductions' }],
+  ['/calibration', { page: 'calibration' }],
   ['/lost-at-sea', { page: 'lost-at-sea' }],
   [rulesPath('navigator'), { page: 'rules', name: 'navigator' }],
   ['/rules', { page: 'unknown' }],

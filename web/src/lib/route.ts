@@ -2,7 +2,15 @@
 
 /** A page. */
 export type Route =
-  | { page: 'home'; world: string; network: string; like: string }
+  | {
+      page: 'home';
+      world: string;
+      network: string;
+      like: string;
+      experiment: string;
+      set: string[];
+    }
+  | { page: 'calibration' }
   | { page: 'session'; id: string }
   | { page: 'reproductions' }
   | { page: 'reproduction'; target: string }
@@ -18,10 +26,16 @@ export function routeOf(address: string): Route {
   const [path = '', search = ''] = address.split('?');
   const asked = new URLSearchParams(search);
   if (path === '/') {
-    const [world, network, like] = ['world', 'network', 'like'].map(
-      (name) => asked.get(name) ?? '',
-    );
-    return { page: 'home', world: world ?? '', network: network ?? '', like: like ?? '' };
+    const of = (name: string) => asked.get(name) ?? '';
+    const [world, network, like] = [of('world'), of('network'), of('like')];
+    return {
+      page: 'home',
+      world,
+      network,
+      like,
+      experiment: of('experiment'),
+      set: asked.getAll('set'),
+    };
   }
   const id = within(path, 'sessions');
   if (id !== null) return { page: 'session', id };
@@ -29,6 +43,7 @@ export function routeOf(address: string): Route {
   const target = within(path, 'reproduce');
   if (target !== null) return { page: 'reproduction', target };
   if (/^\/lost-at-sea\/?$/.test(path)) return { page: 'lost-at-sea' };
+  if (/^\/calibration\/?$/.test(path)) return { page: 'calibration' };
   if (/^\/worlds\/?$/.test(path)) return { page: 'worlds' };
   const rules = within(path, 'rules');
   if (rules !== null) return { page: 'rules', name: rules };
@@ -69,3 +84,13 @@ export const goOnPath = (id: string) => `/?network=${encodeURIComponent(id)}`;
 
 /** Address of the form for a new session with the settings of another. */
 export const likePath = (id: string) => `/?like=${encodeURIComponent(id)}`;
+
+/** Address of the form for a new session of an experiment with some settings, as they are typed. */
+export function sessionWithPath(
+  experiment: string,
+  settings: { key: string; value: string }[],
+): string {
+  const asked = new URLSearchParams({ experiment });
+  for (const { key, value } of settings) asked.append('set', `${key}=${value}`);
+  return `/?${asked}`;
+}

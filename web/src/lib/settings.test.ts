@@ -10,6 +10,7 @@ import {
   said,
   saidBriefly,
   trialsLabel,
+  typedFrom,
   unreadable,
 } from './settings';
 
@@ -35,6 +36,11 @@ const info = {
   settings: [setting('preset', 'choice', 'learner'), noise, rays, learning],
 } as unknown as ExperimentInfo;
 const preset = { name: 'quiet', title: '', summary: '', settings: { 'sonar.noise': 0 } };
+
+it('takes what an address gives as if it were typed, and leaves out what there is not', () => {
+  const given = ['sonar.noise=0.5', 'learner.learning=false', 'elsewhere=1', 'sonar.rays'];
+  expect(typedFrom(info, given)).toEqual({ 'sonar.noise': '0.5', 'learner.learning': false });
+});
 
 describe('settings that are sent', () => {
   it.each([

@@ -52,6 +52,18 @@ export function parsed(setting: SettingInfo, typed: string | boolean): Value | n
   return setting.kind === 'integer' && !Number.isInteger(value) ? null : value;
 }
 
+/** Settings given as `key=value`, as the form holds what is typed. */
+export function typedFrom(info: ExperimentInfo, given: string[]): Record<string, string | boolean> {
+  const typed: Record<string, string | boolean> = {};
+  for (const each of given) {
+    const at = each.indexOf('=');
+    const [key, value] = [each.slice(0, at), each.slice(at + 1)];
+    const setting = info.settings.find((known) => known.key === key);
+    if (setting) typed[key] = setting.kind === 'switch' ? value === 'true' : value;
+  }
+  return typed;
+}
+
 /** Whether a setting is words or a table, of more than a line. */
 export const isText = ({ kind }: SettingInfo): boolean => kind === 'text';
 

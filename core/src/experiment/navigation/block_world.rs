@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use super::run::{Setup, Starts};
+use super::run::{Crowd, Setup, Starts};
 use super::vehicle::{Outfit, hashed};
 use super::{NavigationError, NoiseChoice, fusion_rule};
 use crate::geometry::{Pose, Vec2};
@@ -167,7 +167,7 @@ impl BlockWorldSettings {
                 BlockStart::Random => Starts::Anywhere { clearance_m: START_M },
             },
             doors: Vec::new(),
-            people: 0,
+            people: Crowd::Anywhere(0),
             corridor_m: [0.0, 0.0],
             finish_m: None,
             limit_s: self.limit_s,

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use super::run::{Setup, Starts};
+use super::run::{Crowd, Setup, Starts};
 use super::vehicle::{Outfit, hashed};
 use super::{NavigationError, NoiseChoice, fusion_rule};
 use crate::geometry::{Pose, Vec2};
@@ -146,7 +146,7 @@ impl CorridorSettings {
                 turned_rad: self.turned_deg.to_radians(),
             },
             doors: self.passages(),
-            people: self.people as usize,
+            people: Crowd::Anywhere(self.people as usize),
             corridor_m: [self.length_m, 0.5 * self.width_m],
             finish_m: Some(self.length_m - END_M),
             limit_s: self.limit_s,

@@ -47,10 +47,10 @@ impl NavigationError {
     pub fn field(&self) -> &str {
         match self {
             Self::Unequipped(_) => "robot",
-            Self::Rules { .. } => "rules",
+            Self::Rules { .. } => super::RULES_FILE,
             Self::Hashing(_) => "hashing.regions",
             Self::World(_) => "world",
-            Self::People(_) => "people",
+            Self::People(_) => super::PEOPLE_FILE,
             Self::Contradiction { key, .. } => key,
             Self::Checkpoint => "checkpoint",
         }

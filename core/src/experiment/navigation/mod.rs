@@ -26,6 +26,17 @@ pub use wall_approach::{ApproachEnd, ApproachRun, MethodScore, WallApproachSetti
 use crate::perception::{FusionRule, MedianRank};
 use crate::robot::NoiseLevel;
 
+/// Key of the text that gives regions of one's own, as [`Hashing::parse`](crate::perception::Hashing::parse)
+/// takes them.
+pub const HASHING_SETS: &str = "hashing.sets";
+
+/// Key of the text that gives people of one's own, a [`PeopleFile`](crate::world::PeopleFile).
+pub const PEOPLE_FILE: &str = "people.file";
+
+/// Key of the text that gives rules of one's own, as
+/// [`RuleBase::from_text`](crate::fuzzy::RuleBase::from_text) takes them.
+pub const RULES_FILE: &str = "rules.file";
+
 /// What several experiments set about noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct NoiseChoice {

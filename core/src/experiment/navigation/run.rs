@@ -7,7 +7,7 @@ use super::cycle::Cycle;
 use super::error::NavigationError;
 use super::score::{RunEnd, Tally};
 use super::vehicle::{Outfit, Vehicle};
-use super::{BlockWorldSettings, CorridorSettings};
+use super::{BlockWorldSettings, CorridorSettings, HASHING_SETS};
 use crate::fuzzy::{Explained, RuleBase};
 use crate::geometry::Pose;
 use crate::perception::{Fusion, FusionRule, Hashing, Method};
@@ -15,7 +15,7 @@ use crate::rng::{Purpose, stream};
 use crate::robot::{
     Command, Drive, DriveSpec, FiringOrder, Mount, NoiseLevel, Robot, Scanner, ScannerSpec,
 };
-use crate::world::{Arena, Passage, People, Person};
+use crate::world::{Arena, PERSON_RADIUS_M, Passage, People, PeopleError, Person, PersonFile};
 use rand_chacha::ChaCha8Rng;
 
 /// Where a run starts.
@@ -25,6 +25,15 @@ pub(super) enum Starts {
     Round { pose: Pose, aside_m: f64, turned_rad: f64 },
     /// Anywhere on the floor with so much clearance, metres.
     Anywhere { clearance_m: f64 },
+}
+
+/// Who walks about.
+#[derive(Clone, Debug)]
+pub(super) enum Crowd {
+    /// So many, anywhere.
+    Anywhere(usize),
+    /// People of a file, checked.
+    Placed(Vec<PersonFile>),
 }
 
 /// What a controlled run is made of.
@@ -41,7 +50,7 @@ pub(super) struct Setup {
     pub(super) method: Method,
     pub(super) starts: Starts,
     pub(super) doors: Vec<Passage>,
-    pub(super) people: usize,
+    pub(super) people: Crowd,
     /// Length and half width of the corridor that people walk in, metres.
     pub(super) corridor_m: [f64; 2],
     /// x at which the run is done, metres; none where it has no end.
@@ -92,7 +101,7 @@ impl NavigationRun {
     }
 
     fn new(setup: Setup, rules: Arc<RuleBase>, seed: u64) -> Result<Self, NavigationError> {
-        check(&rules, setup.hashing.regions().len())?;
+        check(&rules)?;
         Ok(Self {
             rules,
             seed,
@@ -104,6 +113,41 @@ impl NavigationRun {
             end: None,
             setup,
         })
+    }
+
+    /// The same with regions of its own in place of those of the settings.
+    ///
+    /// # Errors
+    /// When there are not as many as the rules have depths.
+    pub fn hashed_into(mut self, hashing: Hashing) -> Result<Self, NavigationError> {
+        let (wanted, found) = (self.setup.hashing.regions().len(), hashing.regions().len());
+        if found != wanted {
+            return Err(NavigationError::Contradiction {
+                key: HASHING_SETS,
+                expected: format!("{wanted} regions, one for each depth in the rules"),
+                found: found.to_string(),
+            });
+        }
+        self.setup.hashing = hashing;
+        Ok(self)
+    }
+
+    /// The same with people of its own in place of those of the settings.
+    ///
+    /// # Errors
+    /// The first who stands in a wall, outside the corridor or where the robot may start, or whose lane
+    /// leads through a wall.
+    pub fn peopled_by(mut self, people: Vec<PersonFile>) -> Result<Self, NavigationError> {
+        let in_the_way = people.iter().position(|person| self.setup.may_start_at(person.start_m));
+        let crowd = Crowd::Placed(people);
+        self.setup.crowd(&crowd, stream(self.seed, 0, Purpose::People))?;
+        if let Some(person) = in_the_way {
+            let problem =
+                "stands where the robot may start; they must stand clear of it".to_owned();
+            return Err(PeopleError { person, problem }.into());
+        }
+        self.setup.people = crowd;
+        Ok(self)
     }
 
     /// Goes on after a checkpoint, to the same bits that a run never stopped gives.
@@ -197,8 +241,9 @@ impl NavigationRun {
         for (sonar, &silent) in self.progress.silent.iter().enumerate() {
             scanner.silence(sonar, silent);
         }
-        let doors = setup.doors.clone();
-        let people = People::anywhere(setup.people, setup.corridor_m, doors, rng(Purpose::People));
+        let people = setup
+            .crowd(&setup.people, rng(Purpose::People))
+            .expect("people of a file were checked when they were taken");
         self.tally = Tally::new(pose, setup.doors.len());
         self.command = Command::default();
         Vehicle::new(
@@ -273,6 +318,24 @@ impl NavigationRun {
 }
 
 impl Setup {
+    /// Everybody at the start of a run.
+    fn crowd(&self, crowd: &Crowd, rng: ChaCha8Rng) -> Result<People, PeopleError> {
+        let (size_m, doors) = (self.corridor_m, self.doors.clone());
+        match crowd {
+            Crowd::Anywhere(count) => Ok(People::anywhere(*count, size_m, doors, rng)),
+            Crowd::Placed(people) => People::placed(people, size_m, doors, rng),
+        }
+    }
+
+    /// Whether a person at a place may touch the robot at the start, however it is turned.
+    fn may_start_at(&self, [x_m, y_m]: [f64; 2]) -> bool {
+        let Starts::Round { pose, aside_m, .. } = self.starts else {
+            return false;
+        };
+        let beyond_m = ((y_m - pose.y_m).abs() - aside_m).max(0.0);
+        libm::hypot(x_m - pose.x_m, beyond_m) < self.outfit.body.reach_m() + PERSON_RADIUS_M
+    }
+
     fn start(&self, rng: &mut ChaCha8Rng) -> Pose {
         use rand::RngExt;
         match self.starts {
@@ -303,13 +366,26 @@ fn command(inference: &Explained) -> Command {
     Command { v_m_s: v_cm_s / 100.0, w_rad_s: w_deg_s.to_radians() }
 }
 
-/// Whether rules are for so many regions and the velocity, and give velocity and turn.
-fn check(rules: &RuleBase, regions: usize) -> Result<(), NavigationError> {
-    let units = |units: Vec<&str>| units.join(", ");
-    let inputs = units(rules.inputs().iter().map(|input| input.unit.as_str()).collect());
-    let outputs = units(rules.outputs().iter().map(|output| output.unit.as_str()).collect());
-    let found = format!("{inputs} -> {outputs}");
-    let wanted = units([vec!["m"; regions], vec!["cm/s"]].concat());
-    let expected = format!("{wanted} -> cm/s, deg/s");
+/// What the rules are told, with its unit: a depth a region, from the left to the right, and the velocity.
+const INPUTS: [(&str, &str); 6] = [
+    ("far_left", "m"),
+    ("left", "m"),
+    ("centre", "m"),
+    ("right", "m"),
+    ("far_right", "m"),
+    ("velocity", "cm/s"),
+];
+/// What they say.
+const OUTPUTS: [(&str, &str); 2] = [("v", "cm/s"), ("w", "deg/s")];
+
+/// Whether rules are for what the robot tells and does.
+fn check(rules: &RuleBase) -> Result<(), NavigationError> {
+    let list = |of: Vec<(&str, &str)>| {
+        of.iter().map(|(name, unit)| format!("{name} ({unit})")).collect::<Vec<_>>().join(", ")
+    };
+    let inputs = rules.inputs().iter().map(|input| (input.name.as_str(), input.unit.as_str()));
+    let outputs = rules.outputs().iter().map(|output| (output.name.as_str(), output.unit.as_str()));
+    let found = format!("{} -> {}", list(inputs.collect()), list(outputs.collect()));
+    let expected = format!("{} -> {}", list(INPUTS.to_vec()), list(OUTPUTS.to_vec()));
     if found == expected { Ok(()) } else { Err(NavigationError::Rules { expected, found }) }
 }

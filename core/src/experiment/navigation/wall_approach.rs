@@ -131,6 +131,13 @@ impl ApproachRun {
         })
     }
 
+    /// The same with regions of its own in place of those of the settings; the middle one is scored.
+    #[must_use]
+    pub fn hashed_into(mut self, hashing: Hashing) -> Self {
+        self.setup.hashing = hashing;
+        self
+    }
+
     /// Goes on after a checkpoint, to the same bits that a run never stopped gives.
     ///
     /// # Errors

@@ -89,6 +89,20 @@ impl RuleBase {
         format!("if {} then {}", joined(when.collect()), joined(then.collect()))
     }
 
+    /// Reads and checks a text in either form: FLL where its first line, comments aside, names an engine.
+    ///
+    /// # Errors
+    /// As [`Self::parse`] and [`Self::from_fll`].
+    pub fn from_text(text: &str) -> Result<Self, RuleError> {
+        let content = |line: &'_ str| line.split('#').next().unwrap_or_default().trim().to_owned();
+        let first = text.lines().map(content).find(|content| !content.is_empty());
+        if first.is_some_and(|first| first.starts_with("Engine:")) {
+            Self::from_fll(text)
+        } else {
+            Self::parse(text)
+        }
+    }
+
     /// Reads and checks a text in FLL.
     ///
     /// # Errors

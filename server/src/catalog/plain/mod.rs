@@ -180,6 +180,11 @@ impl PlainExperiment {
         self.equipment.as_ref().map(|equipment| Arc::clone(&equipment.rules))
     }
 
+    /// The robot that drives, if one does.
+    pub(super) fn robot(&self) -> Option<&Robot> {
+        self.equipment.as_ref().map(|equipment| equipment.robot.as_ref())
+    }
+
     fn preset(&self, name: &str) -> Result<&BTreeMap<String, Json>, FieldError> {
         presets::find(&self.presets, name)
     }

@@ -3,9 +3,13 @@
 use serde_json::Value as Json;
 use sonarium_core::experiment::{
     BanditSettings, BlockWorldSettings, ContinualSettings, CorridorSettings, GridworldSettings,
-    HorizonSettings, LabyrinthExtras, LabyrinthSettings, WallApproachSettings,
+    HASHING_SETS, HorizonSettings, LabyrinthExtras, LabyrinthSettings, PEOPLE_FILE, RULES_FILE,
+    WallApproachSettings,
 };
+use sonarium_core::fuzzy::RuleBase;
+use sonarium_core::perception::Hashing;
 use sonarium_core::settings::{SettingError, Spec, Value};
+use sonarium_core::world::{PeopleFile, PersonFile};
 
 use super::super::FieldError;
 use crate::wire::Family;
@@ -42,6 +46,24 @@ const LABYRINTH_TEXTS: [TextSpec; 3] = [
         key: TABLE,
         meaning: "Q-values that the own matrix's learner begins with, as [[0.5,0,1],...]",
         source: "section 4.10",
+    },
+];
+
+const DRIVE_TEXTS: [TextSpec; 3] = [
+    TextSpec {
+        key: HASHING_SETS,
+        meaning: "Regions of one's own in place of `hashing`'s others: the sonars of each, from the left to the right, as 0,1,2; 1,2,3,4; 3,4,5,6; 5,6,7,8; 7,8,9",
+        source: "section 2.3",
+    },
+    TextSpec {
+        key: RULES_FILE,
+        meaning: "Rules of one's own in place of the 972, as the navigator's are written or in FLL, with its inputs and outputs",
+        source: "section 2.7",
+    },
+    TextSpec {
+        key: PEOPLE_FILE,
+        meaning: "People of one's own in place of `people.count`, as TOML: for each a table [[people]] with start_m = [x, y], pace_m_s (below 0 towards the beginning) and, if it is not where they start, lane_m; y is 0 in the middle, left of it above 0",
+        source: "section 2.9",
     },
 ];
 
@@ -115,6 +137,9 @@ impl PlainSettings {
         match self {
             Self::Labyrinth(_) => &LABYRINTH_TEXTS,
             Self::Gridworld(_) => &LABYRINTH_TEXTS[..1],
+            Self::WallApproach(_) => &DRIVE_TEXTS[..1],
+            Self::BlockWorld(_) => &DRIVE_TEXTS[..2],
+            Self::Corridor(_) => &DRIVE_TEXTS,
             _ => &[],
         }
     }
@@ -180,6 +205,12 @@ pub struct Texts {
     pub matrix: String,
     /// Q-values.
     pub table: String,
+    /// Regions of one's own.
+    pub hashing: String,
+    /// People of one's own.
+    pub people: String,
+    /// Rules of one's own.
+    pub rules: String,
 }
 
 impl Texts {
@@ -187,6 +218,9 @@ impl Texts {
         match key {
             ADVICE => &self.advice,
             MATRIX => &self.matrix,
+            HASHING_SETS => &self.hashing,
+            PEOPLE_FILE => &self.people,
+            RULES_FILE => &self.rules,
             _ => &self.table,
         }
     }
@@ -195,7 +229,7 @@ impl Texts {
         let text = match value {
             Json::String(text) => text.trim().to_owned(),
             // A matrix may be given as what it is.
-            Json::Array(_) if key != ADVICE => value.to_string(),
+            Json::Array(_) if matches!(key, MATRIX | TABLE) => value.to_string(),
             other => {
                 let message = format!("must be a text, not `{other}`");
                 return Err(FieldError::new(format!("settings.{key}"), message));
@@ -204,6 +238,9 @@ impl Texts {
         match key {
             ADVICE => self.advice = text,
             MATRIX => self.matrix = text,
+            HASHING_SETS => self.hashing = text,
+            PEOPLE_FILE => self.people = text,
+            RULES_FILE => self.rules = text,
             _ => self.table = text,
         }
         Ok(())
@@ -220,6 +257,45 @@ impl Texts {
             return Err(FieldError::new(format!("settings.{TABLE}"), message));
         }
         Ok(LabyrinthExtras { advice: self.advice.clone(), matrix, table })
+    }
+
+    /// People of one's own; none where there are none.
+    ///
+    /// # Errors
+    /// When the text is no file of people.
+    pub fn people(&self) -> Result<Option<Vec<PersonFile>>, FieldError> {
+        if self.people.is_empty() {
+            return Ok(None);
+        }
+        toml::from_str(&self.people)
+            .map(|file: PeopleFile| Some(file.people))
+            .map_err(|error| FieldError::new(format!("settings.{PEOPLE_FILE}"), error.to_string()))
+    }
+
+    /// Rules of one's own; none where there are none.
+    ///
+    /// # Errors
+    /// When the text is no rule base, with the line at fault.
+    pub fn rules(&self) -> Result<Option<RuleBase>, FieldError> {
+        if self.rules.is_empty() {
+            return Ok(None);
+        }
+        RuleBase::from_text(&self.rules)
+            .map(Some)
+            .map_err(|error| FieldError::new(format!("settings.{RULES_FILE}"), error.to_string()))
+    }
+
+    /// Regions of one's own for so many sonars; none where there are none.
+    ///
+    /// # Errors
+    /// When they are not written as regions or do not cover the sonars.
+    pub fn regions(&self, sonars: usize) -> Result<Option<Hashing>, FieldError> {
+        if self.hashing.is_empty() {
+            return Ok(None);
+        }
+        Hashing::parse(&self.hashing, sonars)
+            .map(Some)
+            .map_err(|error| FieldError::new(format!("settings.{HASHING_SETS}"), error.to_string()))
     }
 }
 

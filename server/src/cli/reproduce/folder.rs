@@ -1,10 +1,9 @@
 //! Results as files: CSV, JSON and PNG, one folder a target.
 
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use crate::cli::Failure;
+use crate::cli::{Failure, refused};
 use crate::render::{Backend, Quality, RenderError, Renderer};
 use crate::reproduce::{Findings, Target, curves_csv, rows_csv};
 use crate::wire::ThemeName;
@@ -50,14 +49,6 @@ impl Folder {
             fs::write(&path, bytes).map_err(|error| refused(&path, &error))?;
         }
         Ok(())
-    }
-}
-
-fn refused(path: &Path, error: &std::io::Error) -> Failure {
-    let text = format!("--out: {}: {error}", path.display());
-    match error.kind() {
-        ErrorKind::StorageFull => Failure::Failed(text),
-        _ => Failure::Input(text),
     }
 }
 
