@@ -8,7 +8,7 @@ use utoipa_axum::routes;
 use utoipa_swagger_ui::SwaggerUi;
 
 use super::{
-    App, arena, controls, experiments, files, fusion, interventions, reproductions, rules,
+    App, arena, controls, experiments, files, fusion, interventions, maps, reproductions, rules,
     sessions, starts, stream, ticks, traces, worlds,
 };
 
@@ -34,7 +34,6 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(experiments::list))
         .routes(routes!(experiments::one))
         .routes(routes!(experiments::picture))
-        .routes(routes!(sessions::create, sessions::list))
         .routes(routes!(sessions::one, sessions::delete))
         .routes(routes!(controls::start))
         .routes(routes!(controls::pause))
@@ -71,6 +70,14 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(fusion::fuse))
         .routes(routes!(stream::open))
         .merge(world_routes())
+        .merge(session_routes())
+}
+
+/// Routes whose bodies may carry a network.
+fn session_routes() -> OpenApiRouter<App> {
+    OpenApiRouter::new()
+        .routes(routes!(sessions::create, sessions::list))
+        .layer(DefaultBodyLimit::max(sessions::LARGEST_SESSION))
 }
 
 /// Routes whose bodies may carry a world or a map.
@@ -81,6 +88,7 @@ fn world_routes() -> OpenApiRouter<App> {
         .routes(routes!(worlds::check))
         .routes(routes!(worlds::regions))
         .routes(routes!(worlds::picture))
+        .routes(routes!(maps::one, maps::keep, maps::delete))
         .routes(routes!(traces::create))
         .layer(DefaultBodyLimit::max(worlds::LARGEST_WORLD))
 }
