@@ -225,8 +225,9 @@ async fn a_session_may_bring_a_large_network_and_not_more() {
 async fn a_body_over_one_mebibyte_is_refused() {
     let house = House::new();
     let large = vec![b' '; (1 << 20) + 1];
-    let announced = Request::post("/api/v1/fuse").header(header::CONTENT_LENGTH, large.len());
-    let silent = Request::post("/api/v1/fuse");
+    let announced =
+        Request::post("/api/v1/sessions/any/speed").header(header::CONTENT_LENGTH, large.len());
+    let silent = Request::post("/api/v1/sessions/any/speed");
     for request in [announced, silent] {
         let request = request.header(header::CONTENT_TYPE, "application/json");
         let answer = house.send(request.body(Body::from(large.clone())).expect("a request")).await;
