@@ -9,6 +9,7 @@ use axum::response::{IntoResponse, Response};
 use super::LARGEST_BODY;
 use super::extract::too_large;
 use super::problem::Failure;
+use super::sessions::LARGEST_SESSION;
 use super::worlds::LARGEST_WORLD;
 
 /// Refuses foreign host names, so that a page elsewhere cannot make its own name point here (DNS
@@ -47,11 +48,15 @@ pub(super) async fn body_size(request: Request, next: Next) -> Response {
     next.run(request).await
 }
 
-/// Largest body that a path takes, bytes, with or without the root of the interface. Maps and worlds
-/// traced from them are larger than all else.
+/// Largest body that a path takes, bytes, with or without the root of the interface. Maps, worlds traced
+/// from them and networks that a session goes on with are larger than all else.
 pub(super) fn largest_body(path: &str) -> usize {
     let path = path.strip_prefix("/api/v1").unwrap_or(path);
-    if path.starts_with("/worlds/") { LARGEST_WORLD } else { LARGEST_BODY }
+    match path {
+        "/sessions" => LARGEST_SESSION,
+        _ if path.starts_with("/worlds/") => LARGEST_WORLD,
+        _ => LARGEST_BODY,
+    }
 }
 
 /// Refuses changes that a page of another origin asks for; a browser would send them.

@@ -10,6 +10,7 @@ mod files;
 mod fusion;
 mod guard;
 mod interventions;
+mod maps;
 mod openapi;
 mod problem;
 mod reproductions;

@@ -8,8 +8,8 @@ use utoipa_axum::routes;
 use utoipa_swagger_ui::SwaggerUi;
 
 use super::{
-    App, arena, calibration, controls, experiments, files, fusion, interventions, reproductions,
-    rules, sessions, starts, stream, ticks, traces, worlds,
+    App, arena, calibration, controls, experiments, files, fusion, interventions, maps,
+    reproductions, rules, sessions, starts, stream, ticks, traces, worlds,
 };
 
 #[derive(OpenApi)]
@@ -34,7 +34,6 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(experiments::list))
         .routes(routes!(experiments::one))
         .routes(routes!(experiments::picture))
-        .routes(routes!(sessions::create, sessions::list))
         .routes(routes!(sessions::one, sessions::delete))
         .routes(routes!(controls::start))
         .routes(routes!(controls::pause))
@@ -73,6 +72,14 @@ pub(super) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(calibration::file))
         .routes(routes!(stream::open))
         .merge(world_routes())
+        .merge(session_routes())
+}
+
+/// Routes whose bodies may carry a network.
+fn session_routes() -> OpenApiRouter<App> {
+    OpenApiRouter::new()
+        .routes(routes!(sessions::create, sessions::list))
+        .layer(DefaultBodyLimit::max(sessions::LARGEST_SESSION))
 }
 
 /// Routes whose bodies may carry a world or a map.
@@ -83,6 +90,7 @@ fn world_routes() -> OpenApiRouter<App> {
         .routes(routes!(worlds::check))
         .routes(routes!(worlds::regions))
         .routes(routes!(worlds::picture))
+        .routes(routes!(maps::one, maps::keep, maps::delete))
         .routes(routes!(traces::create))
         .layer(DefaultBodyLimit::max(worlds::LARGEST_WORLD))
 }

@@ -8,13 +8,19 @@ use axum::response::{IntoResponse, Response};
 use super::extract::{Body, Path};
 use super::files::download;
 use super::problem::Failure;
-use super::{App, blocking};
+use super::{App, LARGEST_BODY, blocking};
+use crate::catalog::LARGEST_NETWORK;
 use crate::wire::{NetworkFile, NewSession, Problem, Session};
 
+/// Largest body of a request for a session, bytes: the largest network, and the rest of the request.
+pub(super) const LARGEST_SESSION: usize = LARGEST_NETWORK + LARGEST_BODY;
+
 /// Create a session; it is `queued` until it is started
+///
+/// With its network the body may have as many bytes as one of 100,000 neurons needs (196 MiB).
 #[utoipa::path(post, path = "/sessions", tag = "sessions", request_body = NewSession,
     responses((status = 201, body = Session), (status = 400, body = Problem),
-        (status = 422, body = Problem), (status = 507, body = Problem)))]
+        (status = 413, body = Problem), (status = 422, body = Problem), (status = 507, body = Problem)))]
 pub(super) async fn create(
     State(app): State<App>,
     Body(request): Body<NewSession>,

@@ -204,11 +204,30 @@ async fn the_log_of_a_running_session_is_read_up_to_the_present() {
 }
 
 #[tokio::test]
+async fn a_session_may_bring_a_large_network_and_not_more() {
+    let house = House::new();
+    // Two mebibytes of blanks before the request: a network of some 3000 neurons takes as much.
+    let mut body = vec![b' '; 2 << 20];
+    body.extend_from_slice(br#"{"experiment": "minimum-cost-path", "trials": 1}"#);
+    let request =
+        Request::post("/api/v1/sessions").header(header::CONTENT_TYPE, "application/json");
+    let answer = house.send(request.body(Body::from(body)).expect("a request")).await;
+    assert_eq!(answer.status, StatusCode::CREATED);
+    // 100,000 neurons of 2 KiB and a mebibyte for the rest, rounded down.
+    let announced = Request::post("/api/v1/sessions").header(header::CONTENT_LENGTH, 300 << 20);
+    let announced = announced.header(header::CONTENT_TYPE, "application/json");
+    let answer = house.send(announced.body(Body::empty()).expect("a request")).await;
+    assert_eq!(problem(&answer), (413, Json::Null));
+    assert_eq!(answer.json()["detail"], "a body may have at most 196 MiB here");
+}
+
+#[tokio::test]
 async fn a_body_over_one_mebibyte_is_refused() {
     let house = House::new();
     let large = vec![b' '; (1 << 20) + 1];
-    let announced = Request::post("/api/v1/sessions").header(header::CONTENT_LENGTH, large.len());
-    let silent = Request::post("/api/v1/sessions");
+    let announced =
+        Request::post("/api/v1/sessions/any/speed").header(header::CONTENT_LENGTH, large.len());
+    let silent = Request::post("/api/v1/sessions/any/speed");
     for request in [announced, silent] {
         let request = request.header(header::CONTENT_TYPE, "application/json");
         let answer = house.send(request.body(Body::from(large.clone())).expect("a request")).await;

@@ -247,6 +247,7 @@ impl From<WorldsError> for Failure {
             }
             WorldsError::Name { .. } => Self::not_acceptable("name", message),
             WorldsError::Broken(broken) => refusal(&broken.problem),
+            WorldsError::Map(error) => Self::not_acceptable(&error.field, error.message),
             WorldsError::Folder { .. } => {
                 let title = "The data folder refused";
                 Self::new(StatusCode::INSUFFICIENT_STORAGE, "storage", title, message)

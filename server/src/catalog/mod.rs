@@ -11,15 +11,15 @@ mod values;
 mod worlds;
 
 pub use experiments::Experiment;
-pub use network::Trained;
+pub use network::{LARGEST_NETWORK, Trained};
 pub use plain::{Equipment, NamedTask, PlainPlan, PlainSettings, Texts};
 pub use plan::{FieldError, Job, Plan, speed as check_speed};
 pub use presets::Preset;
 pub use starts::starts_from_text;
 pub use values::{flatten, from_text};
 pub use worlds::{
-    BrokenWorld, DEFAULT_WORLD, NamedWorld, Worlds, WorldsError, parse as parse_world,
-    read as read_world, region_shapes, robot_radius_m, to_toml, world_name,
+    BrokenWorld, DEFAULT_WORLD, NamedWorld, Worlds, WorldsError, map_beside, map_file,
+    parse as parse_world, read as read_world, region_shapes, robot_radius_m, to_toml, world_name,
 };
 
 use std::path::Path;

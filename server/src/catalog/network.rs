@@ -14,6 +14,11 @@ use crate::wire::{
 
 /// Most neurons of a network file.
 const MOST_NEURONS: usize = 100_000;
+/// Room for a neuron in a network file, bytes: some fifty numbers of up to 25 characters, and their
+/// names.
+const NEURON_BYTES: usize = 2048;
+/// Room for the largest network file, bytes.
+pub const LARGEST_NETWORK: usize = MOST_NEURONS * NEURON_BYTES;
 /// Way and angle by which two mounts may differ and still be the same, metres and degrees.
 const SAME: f64 = 1e-9;
 

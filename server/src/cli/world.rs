@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Subcommand};
 
 use super::{Failure, output};
-use crate::catalog::{NamedWorld, Worlds, to_toml, world_name};
+use crate::catalog::{NamedWorld, Worlds, map_beside, map_file, to_toml, world_name};
 use crate::render::{Backend, Quality, Renderer};
 use crate::session::empty_arena;
-use crate::wire::{ThemeName, WorldCheck};
+use crate::wire::{MapPicture, ThemeName, WorldCheck};
 
 mod placing;
 mod source;
@@ -79,6 +79,7 @@ fn trace(arguments: &Trace) -> Result<(), Failure> {
         source.rename(&name);
     }
     let summary = source.summary();
+    let map = source.map.take();
     let world = source.checked(&arguments.map)?;
     if let Some(path) = &arguments.png {
         draw(&world, path)?;
@@ -86,10 +87,20 @@ fn trace(arguments: &Trace) -> Result<(), Failure> {
     match &arguments.out {
         Some(path) => {
             fs::write(path, &world.text).map_err(|error| refused(path, error))?;
-            output::line(&format!("{summary}; written to {}", path.display()))
+            let beside = keep_map(path, map.as_ref())?;
+            output::line(&format!("{summary}; written to {}{beside}", path.display()))
         }
         None => output::line(world.text.trim_end()),
     }
+}
+
+/// Writes the picture of the map beside the world; says where. Without a map there is nothing to write.
+fn keep_map(world: &Path, map: Option<&MapPicture>) -> Result<String, Failure> {
+    let Some(map) = map else { return Ok(String::new()) };
+    let path = map_beside(world);
+    let file = map_file(map).map_err(|error| Failure::Failed(error.to_string()))?;
+    fs::write(&path, file).map_err(|error| refused(&path, error))?;
+    Ok(format!(", its map to {}", path.display()))
 }
 
 fn check(arguments: &Check) -> Result<(), Failure> {

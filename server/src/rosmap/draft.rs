@@ -8,7 +8,7 @@ use sonarium_core::world::{GoalFile, HomeFile, RegionFile, WorldFile};
 use super::{Metadata, picture, read, refused};
 use crate::catalog::{FieldError, robot_radius_m, world_name};
 use crate::render::RenderError;
-use crate::wire::{self, TraceDraft};
+use crate::wire::{self, MapPicture, TraceDraft};
 
 /// Radius of a suggested goal, that of section 5.3, metres.
 const GOAL_RADIUS_M: f64 = 0.5;
@@ -78,6 +78,14 @@ pub fn trace(yaml: &str, picture: &[u8], options: &Options) -> Result<Traced, Fi
 }
 
 impl Traced {
+    /// The cells as a picture.
+    ///
+    /// # Errors
+    /// When it cannot be encoded.
+    pub fn picture(&self) -> Result<MapPicture, RenderError> {
+        picture::picture(&self.grid)
+    }
+
     /// The draft as it travels.
     ///
     /// # Errors
@@ -96,7 +104,7 @@ impl Traced {
             segments_after: self.segments_after as u32,
             specks_dropped: self.specks_dropped as u32,
             bounds_m: bounds_m(&self.world.floor),
-            picture: picture::picture(&self.grid)?,
+            picture: self.picture()?,
             world: wire::WorldFile::from(self.world),
         })
     }

@@ -286,3 +286,53 @@ async fn maps_may_be_larger_than_other_bodies_but_not_without_limit() {
         assert!(matches!(answer.status.as_u16(), 400 | 413), "{}", answer.json());
     }
 }
+
+#[tokio::test]
+async fn the_picture_of_a_map_stays_with_its_world() {
+    let house = House::new();
+    let image = BASE64_STANDARD.encode(hall());
+    let yaml = YAML.replace("[0, 0, 0]", "[-1.5, 2, 0.5]");
+    let traced = house.post("/api/v1/worlds/trace", json!({ "image_base64": image, "yaml": yaml }));
+    let mut draft = traced.await.json();
+    let picture = draft["picture"].take();
+    let at = "/api/v1/worlds/hall/map";
+    let keep = async |picture: &Json| house.request("PUT", at, Some(picture.to_string())).await;
+    assert_eq!(problem(&keep(&picture).await), (404, Json::Null));
+    let saved = put(&house, "hall", &draft["world"]).await;
+    assert_eq!(saved.status, StatusCode::CREATED);
+    let text = house.get("/api/v1/worlds/hall?format=toml").await.bytes;
+    assert_eq!(house.get(at).await.json(), Json::Null);
+    assert_eq!(keep(&picture).await.status, StatusCode::NO_CONTENT);
+    let kept = house.get(at).await.json();
+    // 32 x 22 cells of 0.1 m, turned by 0.5 rad about (-1.5, 2).
+    assert_eq!(kept["corner"], json!({ "x_m": -1.5, "y_m": 2.0 }));
+    assert_eq!((&kept["width_px"], &kept["height_px"]), (&json!(32), &json!(22)));
+    let near = |field: &str, value: f64| (kept[field].as_f64().unwrap_or(0.0) - value).abs() < 1e-9;
+    assert!(near("yaw_deg", 90.0 / std::f64::consts::PI), "{kept}");
+    assert!(near("width_m", 3.2) && near("height_m", 2.2), "{kept}");
+    // What sessions are stored with, and resumed from, is the same text.
+    assert_eq!(house.get("/api/v1/worlds/hall?format=toml").await.bytes, text);
+
+    for (field, value, refused) in [
+        ("png_base64", json!("%"), "png_base64"),
+        ("png_base64", json!(BASE64_STANDARD.encode(hall())), "png_base64"),
+        ("width_px", json!(33), "width_px"),
+        ("width_m", json!(0), "width_m"),
+    ] {
+        let mut wrong = picture.clone();
+        wrong[field] = value;
+        assert_eq!(problem(&keep(&wrong).await), (422, json!(refused)));
+    }
+    let built_in = house.request("PUT", "/api/v1/worlds/laboratory/map", Some(picture.to_string()));
+    assert_eq!(problem(&built_in.await), (409, json!("name")));
+    assert_eq!(house.get("/api/v1/worlds/laboratory/map").await.json(), Json::Null);
+
+    let gone = house.request("DELETE", "/api/v1/worlds/hall", None).await;
+    assert_eq!(gone.status, StatusCode::NO_CONTENT);
+    assert_eq!(problem(&house.get(at).await), (404, Json::Null));
+    assert_eq!(put(&house, "hall", &draft["world"]).await.status, StatusCode::CREATED);
+    assert_eq!(house.get(at).await.json(), Json::Null, "a new world has no map of an old one");
+    assert_eq!(keep(&picture).await.status, StatusCode::NO_CONTENT);
+    assert_eq!(house.request("DELETE", at, None).await.status, StatusCode::NO_CONTENT);
+    assert_eq!(house.get(at).await.json(), Json::Null);
+}

@@ -1,12 +1,14 @@
 //! Worlds: those that come with the program, and the user's own.
 
 mod check;
+mod map_file;
 mod own;
 #[cfg(test)]
 mod tests;
 mod text;
 
 pub use check::region_shapes;
+pub use map_file::{map_beside, map_file};
 pub use text::to_toml;
 
 use std::collections::BTreeMap;
@@ -18,7 +20,7 @@ use sonarium_core::robot::Robot;
 use sonarium_core::world::{World, WorldFile};
 
 use super::{CatalogError, FieldError};
-use crate::wire::{WorldInfo, WorldProblem, WorldSummary};
+use crate::wire::{MapPicture, WorldInfo, WorldProblem, WorldSummary};
 use own::OwnWorlds;
 
 /// The world a session runs in unless told otherwise.
@@ -110,6 +112,9 @@ pub enum WorldsError {
     /// It cannot be used.
     #[error("{}", .0.problem.message)]
     Broken(Box<BrokenWorld>),
+    /// The picture of its map cannot be kept or read.
+    #[error("{0}")]
+    Map(FieldError),
     /// There is no folder to save it in.
     #[error("this server keeps no worlds; start it with a data folder")]
     NoFolder,
@@ -301,6 +306,45 @@ impl Worlds {
             return Err(WorldsError::BuiltIn { name: name.to_owned() });
         }
         if self.own.delete(name)? { Ok(()) } else { Err(self.missing(name)) }
+    }
+
+    /// The picture of the map that a world was traced from; none when none is kept.
+    ///
+    /// # Errors
+    /// When there is no such world, or its picture cannot be read.
+    pub fn map(&self, name: &str) -> Result<Option<MapPicture>, WorldsError> {
+        match self.taken(name) {
+            Some("own") => self.own.map(name),
+            Some(_) => Ok(None),
+            None => Err(self.missing(name)),
+        }
+    }
+
+    /// Keeps the picture of the map that a world of the user's was traced from, beside it.
+    ///
+    /// # Errors
+    /// When there is no such world, it came with the program, or the picture is none that can be kept.
+    pub fn keep_map(&self, name: &str, picture: &MapPicture) -> Result<(), WorldsError> {
+        self.check_own(name)?;
+        let file = map_file(picture).map_err(WorldsError::Map)?;
+        self.own.save_map(name, &file)
+    }
+
+    /// Deletes the picture of a world's map; that there is none is no error.
+    ///
+    /// # Errors
+    /// When there is no such world, or it came with the program.
+    pub fn delete_map(&self, name: &str) -> Result<(), WorldsError> {
+        self.check_own(name)?;
+        self.own.delete_map(name)
+    }
+
+    fn check_own(&self, name: &str) -> Result<(), WorldsError> {
+        match self.taken(name) {
+            Some("own") => Ok(()),
+            Some(_) => Err(WorldsError::BuiltIn { name: name.to_owned() }),
+            None => Err(self.missing(name)),
+        }
     }
 
     /// A world as its file is now.

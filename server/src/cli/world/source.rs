@@ -13,6 +13,7 @@ use super::{refused, to_toml};
 use crate::catalog::{FieldError, NamedWorld, parse_world, read_world, robot_radius_m};
 use crate::cli::Failure;
 use crate::rosmap::{Metadata, Options, Traced, trace};
+use crate::wire::MapPicture;
 
 /// A world as it was read, with the changes asked for.
 pub(crate) struct Source {
@@ -20,6 +21,8 @@ pub(crate) struct Source {
     /// The text it was read from, while nothing was changed.
     text: Option<String>,
     traced: Option<String>,
+    /// The picture of the map it was traced from.
+    pub(super) map: Option<MapPicture>,
 }
 
 /// Reads a world from a TOML file or from the YAML file of a map.
@@ -34,7 +37,7 @@ pub(crate) fn read(path: &Path, placing: &Placing) -> Result<Source, Failure> {
             return Err(Failure::Input(why.to_owned()));
         }
         let file = parse_world(&text).map_err(|problem| at(path, &problem.message))?;
-        Source { file, text: Some(text), traced: None }
+        Source { file, text: Some(text), traced: None, map: None }
     };
     source.place(path, placing)?;
     Ok(source)
@@ -49,7 +52,8 @@ fn from_map(path: &Path, yaml: &str, placing: &Placing) -> Result<Source, Failur
     let options = Options { speck_m2: placing.speck.unwrap_or(0.0), crop_m, name: None };
     let traced = trace(yaml, &bytes, &options).map_err(refuse)?;
     let summary = described(&traced);
-    Ok(Source { file: traced.world, text: None, traced: Some(summary) })
+    let map = traced.picture().map_err(|error| at(path, &error.to_string()))?;
+    Ok(Source { file: traced.world, text: None, traced: Some(summary), map: Some(map) })
 }
 
 fn described(traced: &Traced) -> String {

@@ -3,7 +3,14 @@
 import { ask, problemIn, Refusal, request, ROOT, SILENCE, type Size } from '../api';
 import type { ThemeName } from '../protocol';
 import type { Draft } from './draft';
-import type { RegionProposal, TraceDraft, WorldCheck, WorldFile, WorldSummary } from '../protocol';
+import type {
+  MapPicture,
+  RegionProposal,
+  TraceDraft,
+  WorldCheck,
+  WorldFile,
+  WorldSummary,
+} from '../protocol';
 
 const path = (name: string) => `worlds/${encodeURIComponent(name)}`;
 
@@ -33,6 +40,14 @@ export function save(draft: Draft, isNew: boolean): Promise<WorldSummary> {
   const headers = { ...init.headers, ...(isNew && { 'if-none-match': '*' }) };
   return ask<WorldSummary>(path(draft.name), { ...init, headers });
 }
+
+/** The picture of the map that a world was traced from; `null` when none is kept. */
+export const mapOf = (name: string) =>
+  ask<MapPicture | null>(`${path(name)}/map`, request('GET', undefined));
+
+/** Keeps the picture of a map with a world that is saved. */
+export const keepMap = (name: string, picture: MapPicture) =>
+  ask<null>(`${path(name)}/map`, request('PUT', picture));
 
 /** Traces a map; `onsent` hears the share of the files that has been sent. */
 export async function trace(

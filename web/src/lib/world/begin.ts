@@ -33,16 +33,25 @@ export async function fromMap(
   };
 }
 
+const NO_MAP = 'No picture of the map is kept with this world; its plan is complete without.';
+
 /** Begins with a copy of a world. */
-export function copyOf(world: WorldFile, taken: string[]): Beginning {
+export function copyOf(world: WorldFile, underlay: Underlay | null, taken: string[]): Beginning {
   const name = freeName(world.name, [...taken, world.name]);
-  return { draft: { ...world, name, title: `${world.title} (copy)` }, saved: null };
+  return { draft: { ...world, name, title: `${world.title} (copy)` }, saved: null, underlay };
 }
 
 /** Begins with a world as it stands; a built-in one is saved under another name. */
-export function opened(world: WorldFile, worlds: WorldSummary[]): Beginning {
+export function opened(
+  world: WorldFile,
+  underlay: Underlay | null,
+  worlds: WorldSummary[],
+): Beginning {
   const isBuiltIn = worlds.some(({ name, built_in }) => built_in && name === world.name);
-  if (!isBuiltIn) return { draft: world, saved: world.name };
+  if (!isBuiltIn) {
+    const note = world.floor.length > 0 && !underlay ? NO_MAP : '';
+    return { draft: world, saved: world.name, underlay, note };
+  }
   const names = worlds.map(({ name }) => name);
   const draft = { ...world, name: freeName(world.name, names) };
   return { draft, saved: null, builtIn: world.name };
@@ -59,7 +68,9 @@ export function traceWords(traced: TraceDraft, from: string): string {
   );
 }
 
-async function underlayOf(picture: MapPicture): Promise<Underlay | null> {
+/** The picture of a world's map, ready to be drawn; `null` when there is none that can be. */
+export async function underlayOf(picture: MapPicture | null): Promise<Underlay | null> {
+  if (!picture) return null;
   const image = new Image();
   image.src = `data:image/png;base64,${picture.png_base64}`;
   try {
@@ -69,5 +80,5 @@ async function underlayOf(picture: MapPicture): Promise<Underlay | null> {
     return null;
   }
   const { corner, yaw_deg, width_m, height_m } = picture;
-  return { image, corner: [corner.x_m, corner.y_m], turn_deg: yaw_deg, width_m, height_m };
+  return { image, picture, corner: [corner.x_m, corner.y_m], turn_deg: yaw_deg, width_m, height_m };
 }

@@ -1,7 +1,7 @@
 /** A world as it is edited: what its file says, and the edits that can be made to it. */
 
 import type { WorldFile, WorldRegion, WorldRule } from '../protocol';
-import type { Bounds, Point } from './view';
+import type { Bounds } from './view';
 
 /** A world's file, with all its lists. */
 export type Draft = WorldFile;
@@ -83,19 +83,6 @@ export function withNewRule(draft: Draft, region: number, rule: Rule): Draft {
 export function withoutRule(draft: Draft, region: number, index: number): Draft {
   const rules = draft.regions[region]?.rules.filter((_, at) => at !== index);
   return rules ? withRegion(draft, region, { rules }) : draft;
-}
-
-/** Adds a wall: an open line through some places. */
-export function withNewWall(draft: Draft, wall: Point[]): Draft {
-  return { ...draft, walls: [...draft.walls, wall] };
-}
-
-export function withoutWall(draft: Draft, index: number): Draft {
-  return { ...draft, walls: draft.walls.filter((_, at) => at !== index) };
-}
-
-export function withWall(draft: Draft, index: number, wall: Point[]): Draft {
-  return { ...draft, walls: draft.walls.map((each, at) => (at === index ? wall : each)) };
 }
 
 /** Least and greatest x and y of walls, home and goal, metres. */

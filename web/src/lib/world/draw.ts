@@ -3,11 +3,12 @@
 import { colour } from '../colour';
 import type { Ink } from '../ink';
 import type { ThemeName } from '../protocol';
-import { drawGoal, drawHome, drawLines, drawMarks, drawScale, label } from './marks';
+import { drawGoal, drawHandles, drawHome, drawLines, drawMarks, drawScale, label } from './marks';
 import type { Draft } from './draft';
 import type { Mark } from './faults';
-import { seen, type Chosen, type Plan } from './grips';
-import type { RegionShape } from '../protocol';
+import { seen, type Plan } from './grips';
+import { isShape, pointsOf } from './shapes';
+import type { MapPicture, RegionShape } from '../protocol';
 import { gridStep_m, toScreen, type Point } from './view';
 
 /** Everything that is drawn. */
@@ -16,15 +17,20 @@ export interface Scene extends Plan {
   shapes: RegionShape[];
   /** The map the walls were traced from, drawn below them, and where it lies. */
   picture: Underlay | null;
-  chosen: Chosen | null;
+  /** How much of the picture is seen, 0 to 1. */
+  opacity: number;
   marks: Mark[];
   /** A line that is being drawn, in the world. */
   stroke: [Point, Point] | null;
+  /** It is the diagonal of a block. */
+  drawsBlock: boolean;
 }
 
 /** A picture in the world. */
 export interface Underlay {
   image: HTMLImageElement;
+  /** As it travels. */
+  picture: MapPicture;
   /** Its lower left corner, and how it is turned about it, counter-clockwise. */
   corner: Point;
   turn_deg: number;
@@ -47,6 +53,7 @@ export function drawScene(context: Context, scene: Scene, ink: Ink): void {
   drawLines(context, scene, ink);
   drawGoal(context, scene, ink);
   drawHome(context, scene, ink);
+  drawHandles(context, scene, ink);
   drawRegionNames(context, scene, ink);
   drawMarks(context, scene, ink);
   drawScale(context, scene, ink);
@@ -67,13 +74,14 @@ function drawPicture(context: Context, scene: Scene, underlay: Underlay): void {
   context.rotate((turn_deg * Math.PI) / 180);
   context.scale(1, -1);
   context.imageSmoothingEnabled = false;
-  context.globalAlpha = 0.55;
+  context.globalAlpha = scene.opacity;
   context.drawImage(image, 0, -height_m, width_m, height_m);
   if (scene.theme === 'dark') {
     // White floors would glare: what is white becomes black and the other way round.
     context.globalAlpha = 1;
     context.globalCompositeOperation = 'difference';
-    context.fillStyle = '#8c8c8c';
+    const level = Math.round(255 * scene.opacity);
+    context.fillStyle = `rgb(${level} ${level} ${level})`;
     context.fillRect(0, -height_m, width_m, height_m);
   }
   context.restore();
@@ -147,11 +155,11 @@ function drawSolid(context: Context, scene: Scene, ink: Ink): void {
   context.globalAlpha = 1;
   context.stroke(ringsPath(draft.blocks));
   context.stroke(linesPath(draft.walls));
-  const chosen = scene.chosen?.kind === 'wall' ? draft.walls[scene.chosen.wall] : undefined;
+  const chosen = isShape(scene.chosen) ? scene.chosen : null;
   if (chosen) {
     context.strokeStyle = ink.accent;
     context.lineWidth = 5 / view.scale;
-    context.stroke(linesPath([chosen]));
+    context.stroke(pathOf([pointsOf(draft, chosen)], chosen.kind !== 'wall'));
   }
   context.restore();
 }

@@ -6,26 +6,26 @@ import { problemOf, Refusal } from '../api';
 import type { Problem } from '../protocol';
 import * as api from './api';
 import { Checker } from './checker.svelte';
-import {
-  boundsOf,
-  EVERYWHERE,
-  isCut,
-  toCm,
-  withGoal,
-  withNewRule,
-  withNewWall,
-  type Draft,
-} from './draft';
+import { boundsOf, EVERYWHERE, isCut, toCm, withGoal, withNewRule, type Draft } from './draft';
 import type { Underlay } from './draw';
 import { chainOf, elementOf, marksOf } from './faults';
 import { removed, type Chosen } from './grips';
 import { ruleThrough, wallThrough } from './line';
 import type { WorldSummary } from '../protocol';
+import {
+  isShape,
+  pointsOf,
+  rectangleOf,
+  shapesOf,
+  withNewShape,
+  withPointAfter,
+  type ShapeKind,
+} from './shapes';
 import { begun, edited, redone, settled, undone, type Trail } from './trail';
 import { fitted, type Point, type Size, type View } from './view';
 
 /** What a press on empty ground of the plan does. */
-export type Tool = 'move' | 'home' | 'goal' | 'wall' | 'line';
+export type Tool = 'move' | 'home' | 'goal' | 'wall' | 'block' | 'line';
 
 /** A draft to begin with. */
 export interface Beginning {
@@ -51,6 +51,8 @@ export class WorldEditor {
   readonly underlay: Underlay | null;
   readonly checker = new Checker();
   #trail = $state.raw<Trail<Draft>>(begun({} as Draft));
+  /** Name of the world that the map's picture is kept with. */
+  #mapAt: string | null;
   /** The draft as it was last saved or read. */
   #kept = $state.raw<Draft | null>(null);
   saved = $state<string | null>(null);
@@ -88,6 +90,8 @@ export class WorldEditor {
     this.saved = saved;
     this.builtIn = builtIn;
     this.underlay = underlay;
+    // What was read with its picture need not send it again.
+    this.#mapAt = saved;
     this.note = note;
     $effect(() => {
       const draft = this.draft;
@@ -129,35 +133,69 @@ export class WorldEditor {
 
   /** Adds what was drawn on the plan: a wall, or a line of the chosen region. */
   add(from: Point, to: Point): void {
-    if (this.tool === 'wall') this.#addWall(wallThrough(from, to));
+    if (this.tool === 'wall') this.#addShape('wall', wallThrough(from, to));
+    else if (this.tool === 'block') this.#addShape('block', rectangleOf(from, to));
     else this.#addLine(from, to);
   }
 
-  /** Adds a wall and chooses it. */
-  #addWall(wall: Point[] | null): void {
-    if (!wall) return;
-    this.edit(withNewWall(this.draft, wall));
-    this.chosen = { kind: 'wall', wall: this.draft.walls.length - 1 };
+  /** Adds a wall, block or ring and chooses it. */
+  #addShape(kind: ShapeKind, points: Point[] | null): void {
+    if (!points) return;
+    this.edit(withNewShape(this.draft, kind, points));
+    this.chosen = { kind, index: shapesOf(this.draft, kind).length - 1 };
   }
 
-  /** A wall of a metre at the middle of what is seen, to be typed from there. */
-  typeWall(): void {
+  /** A wall of a metre, or a square, at the middle of what is seen, to be typed from there. */
+  typeShape(kind: ShapeKind): void {
     const [x, y] = [toCm(this.view?.x_m ?? 0), toCm(this.view?.y_m ?? 0)];
-    this.#addWall([
-      [x, y],
-      [toCm(x + 1), y],
-    ]);
+    const to: Point = [toCm(x + 1), toCm(y + 1)];
+    this.#addShape(
+      kind,
+      kind === 'wall'
+        ? [
+            [x, y],
+            [to[0], y],
+          ]
+        : rectangleOf([x, y], to),
+    );
   }
 
-  /** Takes away the wall or line that is chosen. */
+  /** Adds a point after the one that is chosen, and chooses it. */
+  addPoint(): void {
+    if (!isShape(this.chosen)) return;
+    const shape = this.chosen;
+    const last = pointsOf(this.draft, shape).length - 1;
+    // The open end of a wall has nothing after it.
+    const most = shape.kind === 'wall' ? last - 1 : last;
+    const after = Math.min(shape.point ?? 0, most);
+    this.edit(withPointAfter(this.draft, shape, after));
+    this.chosen = { ...shape, point: after + 1 };
+    this.said = `Point ${after + 2} added`;
+  }
+
+  /** Chooses the next point (1) or the one before (−1) of the chosen shape. */
+  turnPoint(by: 1 | -1): void {
+    if (!isShape(this.chosen)) return;
+    const count = pointsOf(this.draft, this.chosen).length;
+    const from = this.chosen.point ?? (by === 1 ? -1 : 0);
+    const point = (from + by + count) % count;
+    this.chosen = { ...this.chosen, point };
+    this.said = `Point ${point + 1} of ${count}`;
+  }
+
+  /** Takes away the point, wall, block, ring or line that is chosen. */
   remove(): void {
     if (!this.chosen) return;
-    const { kind } = this.chosen;
-    const rest = removed(this.draft, this.chosen);
+    const chosen = this.chosen;
+    const rest = removed(this.draft, chosen);
     if (rest === this.draft) return;
+    const wasPoint =
+      isShape(chosen) &&
+      shapesOf(rest, chosen.kind).length === shapesOf(this.draft, chosen.kind).length;
     this.edit(rest);
-    this.chosen = null;
-    this.said = kind === 'wall' ? 'Wall removed' : 'Line removed';
+    this.chosen = wasPoint ? { kind: chosen.kind, index: chosen.index } : null;
+    const name = wasPoint ? 'point' : chosen.kind;
+    this.said = `${name[0]?.toUpperCase()}${name.slice(1)} removed`;
   }
 
   #addLine(from: Point, to: Point): void {
@@ -227,6 +265,7 @@ export class WorldEditor {
       const summary = await api.save(draft, this.saved !== draft.name);
       this.#kept = draft;
       this.saved = draft.name;
+      await this.#keepMap(draft.name);
       this.said = 'Saved';
       return summary;
     } catch (error) {
@@ -237,12 +276,20 @@ export class WorldEditor {
     }
   }
 
+  /** Keeps the map's picture with the world, once for each name. */
+  async #keepMap(name: string): Promise<void> {
+    const picture = this.underlay?.picture;
+    if (!picture || this.#mapAt === name) return;
+    await api.keepMap(name, picture);
+    this.#mapAt = name;
+  }
+
   /** Drops a choice that the draft no longer has. */
   #keepChoice(): void {
     const { regions } = this.draft;
     if (this.region !== null && this.region >= regions.length) this.region = null;
     const chosen = this.chosen;
-    if (chosen?.kind === 'wall' && chosen.wall >= this.draft.walls.length) this.chosen = null;
+    if (isShape(chosen) && !pointsOf(this.draft, chosen)[chosen.point ?? 0]) this.chosen = null;
     if (chosen?.kind !== 'line') return;
     if (!regions[chosen.region]?.rules[chosen.rule]) this.chosen = null;
   }

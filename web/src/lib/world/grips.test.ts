@@ -41,6 +41,7 @@ const plan: Plan = {
   size: { width: 800, height: 400 },
   robotRadius_m: 0.265,
   region: 0,
+  chosen: null,
 };
 
 describe('what lies under the pointer', () => {
@@ -52,8 +53,8 @@ describe('what lies under the pointer', () => {
     ['the rim of the goal', [652, 200], { kind: 'radius' }],
     ['the line', [403, 350], { kind: 'line', region: 0, rule: 0 }],
     ['the arrow of the line, on its side', [426, 200], { kind: 'side', region: 0, rule: 0 }],
-    ['a wall', [250, 104], { kind: 'wall', wall: 0 }],
-    ['the second piece of a wall', [297, 80], { kind: 'wall', wall: 0 }],
+    ['a wall', [250, 104], { kind: 'wall', index: 0 }],
+    ['the second piece of a wall', [297, 80], { kind: 'wall', index: 0 }],
     ['past the end of a wall', [300, 38], null],
     ['nothing', [340, 60], null],
   ])('%s', (_, at, grip) => {
@@ -85,7 +86,7 @@ describe('dragging', () => {
   });
 
   it('moves a wall whole, and takes it away', () => {
-    const wall = { kind: 'wall', wall: 0 } as const;
+    const wall = { kind: 'wall', index: 0 } as const;
     expect(dragged(draft, wall, [0, 0], [1, -1]).walls[0]).toEqual([
       [1, 0],
       [2, 0],

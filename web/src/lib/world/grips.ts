@@ -6,24 +6,36 @@ import {
   withGoal,
   withHome,
   withoutRule,
-  withoutWall,
   withRule,
-  withWall,
   type Draft,
   type Rule,
 } from './draft';
 import { depth_m, endsWithin, lineOf, shifted, turnedOver, type Line } from './line';
+import {
+  isShape,
+  movedBy,
+  piecesOf,
+  pointsOf,
+  shapeAt,
+  withoutChosen,
+  withPointAfter,
+  type Shape,
+} from './shapes';
 import { toScreen, toWorld, type Bounds, type Point, type Size, type View } from './view';
 
 /** What is chosen: the arrow keys move it. */
 export type Chosen =
-  | { kind: 'home' }
-  | { kind: 'goal' }
-  | { kind: 'wall'; wall: number }
-  | { kind: 'line'; region: number; rule: number };
+  { kind: 'home' } | { kind: 'goal' } | Shape | { kind: 'line'; region: number; rule: number };
 
 /** Something under the pointer: a thing, or the handle that turns or widens it. */
-export type Grip = Chosen | { kind: 'heading' } | { kind: 'radius' } | Side;
+export type Grip = Chosen | { kind: 'heading' } | { kind: 'radius' } | Side | Between;
+
+/** The handle between two points of the chosen shape: dragging it adds a point there. */
+export interface Between {
+  kind: 'between';
+  shape: Shape;
+  after: number;
+}
 
 /** The arrow that says on which side of a line its rule holds; pressing it turns the rule over. */
 export interface Side {
@@ -40,6 +52,8 @@ export interface Plan {
   robotRadius_m: number;
   /** Region whose lines are shown and can be taken; none when `null`. */
   region: number | null;
+  /** What is chosen: only its points can be taken one by one. */
+  chosen: Chosen | null;
 }
 
 /** How near the pointer must come, pixels. */
@@ -91,9 +105,45 @@ export function shownLines(plan: Plan): ShownLine[] {
   });
 }
 
+/** Shortest piece, pixels, that has a handle for a new point. */
+const ROOM = 44;
+
+/** The handles of the chosen shape as they lie on the canvas: its points, and those for new ones. */
+export function shapeHandles({ chosen, draft, view, size }: Plan): { grip: Grip; at: Point }[] {
+  if (!isShape(chosen)) return [];
+  const shape: Shape = { kind: chosen.kind, index: chosen.index };
+  const points = pointsOf(draft, shape);
+  const seenAt = (at: Point) => {
+    const [x, y] = toScreen(view, size, at);
+    return x > -REACH && y > -REACH && x < size.width + REACH && y < size.height + REACH;
+  };
+  const corners = points.flatMap((each, point) =>
+    seenAt(each) ? [{ grip: { ...shape, point }, at: toScreen(view, size, each) }] : [],
+  );
+  const between: { grip: Grip; at: Point }[] = [];
+  for (const [from, to, after] of piecesOf(shape.kind, points)) {
+    const middle: Point = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
+    if (apart(from, to) * view.scale < ROOM || !seenAt(middle)) continue;
+    between.push({ grip: { kind: 'between', shape, after }, at: toScreen(view, size, middle) });
+  }
+  return [...corners, ...between];
+}
+
+/** The nearest handle of the chosen shape within reach. */
+function pointAt(plan: Plan, at: Point): Grip | null {
+  let [found, least]: [Grip | null, number] = [null, REACH];
+  for (const handle of shapeHandles(plan)) {
+    const away = apart(handle.at, at);
+    if (away < least) [found, least] = [handle.grip, away];
+  }
+  return found;
+}
+
 /** What lies under a point of the canvas, the smallest first. */
 export function gripAt(plan: Plan, at: Point): Grip | null {
   const { draft, view, size, region } = plan;
+  const point = pointAt(plan, at);
+  if (point) return point;
   const home = toScreen(view, size, [draft.home.x, draft.home.y]);
   const goal = toScreen(view, size, [draft.goal.x, draft.goal.y]);
   const lines = region === null ? [] : shownLines(plan);
@@ -106,8 +156,8 @@ export function gripAt(plan: Plan, at: Point): Grip | null {
   const world = toWorld(view, size, at);
   const line = lines.find(({ line }) => Math.abs(depth_m(line, world)) * view.scale < 8);
   if (line && region !== null) return { kind: 'line', region, rule: line.rule };
-  const wall = draft.walls.findIndex((each) => alongWall(each, world) * view.scale < 7);
-  if (wall >= 0) return { kind: 'wall', wall };
+  const shape = shapeAt(draft, world, 7 / view.scale);
+  if (shape) return shape;
   if (apart(goal, at) < draft.goal.radius_m * view.scale) return { kind: 'goal' };
   return null;
 }
@@ -131,10 +181,14 @@ export function dragged(start: Draft, grip: Grip, from: Point, to: Point): Draft
     }
     case 'line':
       return mapRule(start, grip, (rule) => shifted(rule, [dx, dy]));
-    case 'wall': {
-      const wall = start.walls[grip.wall] ?? [];
-      const moved = wall.map(([x, y]): Point => [toCm(x + dx), toCm(y + dy)]);
-      return withWall(start, grip.wall, moved);
+    case 'wall':
+    case 'block':
+    case 'ring':
+      return movedBy(start, grip, [dx, dy]);
+    case 'between': {
+      const { shape, after } = grip;
+      const added = withPointAfter(start, shape, after);
+      return movedBy(added, { ...shape, point: after + 1 }, [dx, dy]);
     }
     case 'side':
       return start;
@@ -183,6 +237,8 @@ export function nudged(draft: Draft, chosen: Chosen, { key, shiftKey }: Press): 
     case 'line':
       return mapRule(draft, chosen, turnedOver);
     case 'wall':
+    case 'block':
+    case 'ring':
       return null;
   }
 }
@@ -190,20 +246,7 @@ export function nudged(draft: Draft, chosen: Chosen, { key, shiftKey }: Press): 
 /** The draft without what is chosen; home and goal are always there. */
 export function removed(draft: Draft, chosen: Chosen): Draft {
   if (chosen.kind === 'line') return withoutRule(draft, chosen.region, chosen.rule);
-  return chosen.kind === 'wall' ? withoutWall(draft, chosen.wall) : draft;
-}
-
-/** How far a place is from a wall, metres. */
-function alongWall(wall: Point[], at: Point): number {
-  let least = Infinity;
-  for (let index = 1; index < wall.length; index += 1) {
-    const [from, to] = [wall[index - 1] ?? at, wall[index] ?? at];
-    const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-    const share = ((at[0] - from[0]) * dx + (at[1] - from[1]) * dy) / (dx * dx + dy * dy || 1);
-    const near = Math.min(1, Math.max(0, share));
-    least = Math.min(least, apart(at, [from[0] + near * dx, from[1] + near * dy]));
-  }
-  return least;
+  return isShape(chosen) ? withoutChosen(draft, chosen) : draft;
 }
 
 type LineChosen = Extract<Chosen, { kind: 'line' }>;

@@ -39,7 +39,14 @@ beforeEach(() => {
   tool = 'move';
   chosen = line = added = null;
   hand = new Hand({
-    plan: () => ({ draft: trail.present, view, size, robotRadius_m: 0.265, region: 0 }),
+    plan: () => ({
+      draft: trail.present,
+      view,
+      size,
+      robotRadius_m: 0.265,
+      region: 0,
+      chosen: null,
+    }),
     tool: () => tool,
     edit: (next, key) => (trail = edited(trail, next, key)),
     settle: () => (trail = settled(trail)),

@@ -30,11 +30,12 @@ type Doing =
 
 /** What a tool takes hold of: one for placing leaves all but its handle, for it goes where it is pressed. */
 const TAKES: Record<Tool, Grip['kind'][]> = {
-  move: ['home', 'heading', 'goal', 'radius', 'wall', 'line', 'side'],
+  move: ['home', 'heading', 'goal', 'radius', 'wall', 'block', 'ring', 'between', 'line', 'side'],
   home: ['heading'],
   goal: ['radius'],
   line: ['side'],
   wall: [],
+  block: [],
 };
 
 /** One hand on one plan. */
@@ -121,18 +122,19 @@ export class Hand {
 
   /** What a press begins. */
   #begin(at: Point): Doing {
-    const { plan, tool, choose } = this.#table;
+    const { plan, tool, choose, edit } = this.#table;
     const { draft, view, size, region } = plan();
     const from = toWorld(view, size, at);
     const key = `press ${this.#presses}`;
     const grip = this.over(at);
     if (grip) {
+      if (grip.kind === 'between') edit(dragged(draft, grip, from, from), key);
       choose(chosenBy(grip));
       return { what: 'drag', grip, start: draft, from, key };
     }
     if (tool() === 'home') return this.#place({ kind: 'home' }, from, key);
     if (tool() === 'goal') return this.#place({ kind: 'goal' }, from, key);
-    const draws = tool() === 'wall' || (tool() === 'line' && region !== null);
+    const draws = tool() === 'wall' || tool() === 'block' || (tool() === 'line' && region !== null);
     return draws ? { what: 'draw', from } : { what: 'pan' };
   }
 
@@ -161,6 +163,8 @@ function chosenBy(grip: Grip): Chosen {
       return { kind: 'goal' };
     case 'side':
       return { kind: 'line', region: grip.region, rule: grip.rule };
+    case 'between':
+      return { ...grip.shape, point: grip.after + 1 };
     default:
       return grip;
   }

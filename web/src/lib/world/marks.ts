@@ -3,7 +3,8 @@
 import { brief } from '../format';
 import type { Ink } from '../ink';
 import type { Scene } from './draw';
-import { headingHandle, radiusHandle, shownLines } from './grips';
+import { headingHandle, radiusHandle, shapeHandles, shownLines } from './grips';
+import { isShape } from './shapes';
 import { gridStep_m, toScreen, type Point } from './view';
 
 type Context = CanvasRenderingContext2D;
@@ -64,7 +65,26 @@ export function drawLines(context: Context, scene: Scene, ink: Ink): void {
   const [from, to] = scene.stroke.map((end) => toScreen(view, size, end)) as [Point, Point];
   context.strokeStyle = ink.accent;
   context.lineWidth = 3;
-  stroke(context, from, to);
+  if (scene.drawsBlock) {
+    context.strokeRect(from[0], from[1], to[0] - from[0], to[1] - from[1]);
+  } else {
+    stroke(context, from, to);
+  }
+}
+
+/** The points of the chosen shape, and, smaller, the places for new ones. */
+export function drawHandles(context: Context, scene: Scene, ink: Ink): void {
+  const { chosen } = scene;
+  for (const { grip: held, at } of shapeHandles(scene)) {
+    const isNew = held.kind === 'between';
+    const isChosen = isShape(chosen) && isShape(held) && held.point === chosen.point;
+    context.fillStyle = isChosen ? ink.accent : ink.surface;
+    context.strokeStyle = ink.accent;
+    context.lineWidth = isNew ? 1.5 : 2;
+    circle(context, at, isNew ? 3.5 : 5.5);
+    context.fill();
+    context.stroke();
+  }
 }
 
 function drawArrow(context: Context, [from, tip]: [Point, Point], ink: Ink): void {
