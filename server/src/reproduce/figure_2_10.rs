@@ -22,6 +22,8 @@ pub static FIGURE_2_10: Target = Target {
     readings: &[
         "The figure is lost; the size of its world, of the robot and its range are printed. The blocks and the \
          starts here are ours, sparse in one world and in rows in the other",
+        "The thesis takes the sonars of its simulator to be ideal; here they are all read at the end of a cycle. \
+         Fired one after the other while the robot moves, they are up to 0.4 s old, and it backs up more",
         "The controller's constants are not printed either. They were chosen in such worlds, on other seeds",
         "The thesis's words are read by rules: safely as no contact, smoothly as a turn that changes by at most \
          1 deg/s from cycle to cycle, a tenth of the greatest, and as backing up in at most 5 % of the \

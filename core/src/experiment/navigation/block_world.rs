@@ -50,6 +50,7 @@ crate::settings! {
         dropout: bool = true, "noise.dropout" "", Simulation, "section 2.2", "Echoes are lost";
         neighbours: f64 = 0.0, "noise.neighbours" [0.0, 1.0] "", Simulation, "section 2.2", "Probability that a ghost is heard by a neighbour too";
         order: FiringOrder = FiringOrder::Staggered, "sonar.order" "", Literal, "section 2.2", "The order in which the sonars are fired";
+        at_once: bool = true, "sonar.at_once" "", Reading, "section 2.9, ideal sensors", "Ideal sonars are all read at the end of a cycle; off, each in its slot while the robot moves";
         inertia_s: f64 = 0.5, "drive.time_constant" [0.01, 10.0] "s", Gap, "section 2.9, simplified dynamics", "Time constant with which velocities follow commands";
     }
 }
@@ -151,6 +152,7 @@ impl BlockWorldSettings {
                 body: Body::Box { half_length_m: half_m, half_width_m: half_m },
                 bumper: equipment.bumper,
                 compass: equipment.compass,
+                at_once: self.at_once && self.ideal,
             },
             mounts: mounts.collect(),
             scanner: ScannerSpec { least_m, ..equipment.scanner.clone() },

@@ -131,6 +131,7 @@ impl CorridorSettings {
                 body: robot.body(),
                 bumper: equipment.bumper,
                 compass: equipment.compass,
+                at_once: false,
             },
             mounts: robot.sonars().to_vec(),
             scanner: equipment.scanner.clone(),

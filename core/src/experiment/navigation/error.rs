@@ -10,7 +10,7 @@ pub enum NavigationError {
     #[error("`robot` must have `equipment` and a rectangular body in its file; {0} has not")]
     Unequipped(String),
     /// The rules are for something else.
-    #[error("`rules` must be for {expected}, not {found}")]
+    #[error("`rules.file` must be for {expected}, not {found}")]
     Rules {
         /// Inputs and outputs that would be right.
         expected: String,

@@ -25,6 +25,8 @@ pub(super) struct Outfit {
     pub(super) body: Body,
     pub(super) bumper: BumperSpec,
     pub(super) compass: CompassSpec,
+    /// All sonars are read at the end of a cycle, not each in its slot.
+    pub(super) at_once: bool,
 }
 
 /// How a robot backs off by itself after a contact.
@@ -128,10 +130,20 @@ impl Vehicle {
             let command = self.backing_off_or(command);
             let began = self.advance(command);
             bump = bump.or(began);
-            let time_s = self.time_s();
-            self.scanner.fire(slot, time_s, &self.drive.pose, &self.near, &self.rounds);
+            if !self.outfit.at_once {
+                self.fire(slot);
+            }
+        }
+        if self.outfit.at_once {
+            (0..self.scanner.slots()).for_each(|slot| self.fire(slot));
         }
         bump
+    }
+
+    /// Fires the sonar of a slot from where the robot is now.
+    fn fire(&mut self, slot: usize) {
+        let time_s = self.time_s();
+        self.scanner.fire(slot, time_s, &self.drive.pose, &self.near, &self.rounds);
     }
 
     /// Drives as told, whatever is in the way: an approach at constant speed.
@@ -141,8 +153,7 @@ impl Vehicle {
             self.slots_done += 1;
             self.drive.speed = speed;
             self.drive = self.drive.after(speed, self.scanner.slot_s());
-            let time_s = self.time_s();
-            self.scanner.fire(slot, time_s, &self.drive.pose, &self.near, &self.rounds);
+            self.fire(slot);
         }
     }
 

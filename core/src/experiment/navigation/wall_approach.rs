@@ -302,6 +302,7 @@ impl WallApproachSettings {
                 body: robot.body(),
                 bumper: equipment.bumper,
                 compass: equipment.compass,
+                at_once: false,
             },
             mounts: robot.sonars().to_vec(),
             scanner: equipment.scanner.clone(),
