@@ -146,6 +146,70 @@ test('a stranger brings a map, mends what is marked, saves it and runs a trial i
   expect(complaints).toEqual([]);
 });
 
+test('a map keeps its picture, and blocks and rings are edited over it', async ({ page }) => {
+  const complaints = listenForComplaints(page);
+  await page.goto('/worlds/new');
+  await page.locator('input[type=file]').setInputFiles(twoRooms());
+  const plan = page.getByRole('application');
+  const at = await calibrated(page, plan);
+  await click(plan, at(1.2, 2.2));
+  await page.getByRole('button', { name: 'Place goal' }).click();
+  await click(plan, at(5.2, 2.2));
+  await page.getByRole('textbox', { name: 'Name', exact: true }).first().fill('kept-rooms');
+  await page.getByRole('button', { name: 'Save world' }).click();
+  await expect(page).toHaveURL(/\/worlds\/kept-rooms$/);
+
+  // Opened again, the picture lies under the plan; off the floor nothing else is drawn.
+  await page.reload();
+  const picture = page.getByRole('checkbox', { name: 'Map’s picture' });
+  await expect(picture).toBeChecked();
+  const wall = at(3.2, 1);
+  const shown = await pixel(plan, wall);
+  await picture.uncheck();
+  await expect.poll(() => pixel(plan, wall)).not.toEqual(shown);
+  await picture.check();
+  await expect.poll(() => pixel(plan, wall)).toEqual(shown);
+
+  // A block: drawn, a corner moved by keys, taken back in two steps.
+  const blocks = page.getByRole('region', { name: 'Solid blocks' });
+  const check = page.getByRole('region', { name: 'Check' });
+  await page.getByRole('button', { name: 'Draw block', exact: true }).click();
+  await drag(page, plan, at(4, 2.9), at(4.5, 3.3));
+  await expect(blocks).toContainText('1 block');
+  const corner = blocks.getByRole('textbox', { name: 'x of point 1' });
+  const before = Number(await corner.inputValue());
+  expect(Math.abs(before - 4)).toBeLessThan(0.06);
+  await plan.focus();
+  await page.keyboard.press('n');
+  await page.keyboard.press('ArrowLeft');
+  await expect.poll(async () => Number(await corner.inputValue())).toBeCloseTo(before - 0.1, 2);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(async () => Number(await corner.inputValue())).toBeCloseTo(before, 2);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(blocks).toContainText('0 blocks');
+
+  // A ring: a point is added, and taken back.
+  const rings = page.getByRole('region', { name: 'Rings round the floor' });
+  await rings.getByLabel('Ring', { exact: true }).selectOption('0');
+  const ys = rings.getByRole('textbox', { name: /^y of point/ });
+  const points = await ys.count();
+  expect(points).toBeGreaterThanOrEqual(12);
+  await axeFindsNothing(page);
+  await page.evaluate(() => scrollTo(0, 0));
+  await photograph(page, 'world-shapes');
+  await rings.getByRole('button', { name: 'Add a point' }).click();
+  await expect(ys).toHaveCount(points + 1);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(ys).toHaveCount(points);
+  await expect(check).toContainText('The robot can go from home to the goal');
+  await page.getByRole('link', { name: 'Worlds', exact: true }).click();
+  const card = page.getByRole('listitem').filter({ hasText: 'kept-rooms' });
+  await card.getByRole('button', { name: /^Delete/ }).click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Delete' }).click();
+  await expect(page.getByText('No world of your own yet')).toBeVisible();
+  expect(complaints).toEqual([]);
+});
+
 test('a world is edited on a phone, in the dark and with a keyboard alone', async ({ browser }) => {
   const context = await browser.newContext({
     viewport: { width: 390, height: 844 },
@@ -238,6 +302,18 @@ function headingHandle(at: (x_m: number, y_m: number) => Place, degrees: string)
   const [home, radius] = [at(1.2, 2.2), at(0.265, 0).x - at(0, 0).x];
   const out = Math.max(38, radius + 18);
   return { x: home.x + out * Math.cos(angle), y: home.y - out * Math.sin(angle) };
+}
+
+/** The colour at a place of the plan. */
+async function pixel(plan: Locator, { x, y }: Place): Promise<number[]> {
+  return plan.evaluate(
+    (canvas: HTMLCanvasElement, at) => {
+      const ratio = canvas.width / canvas.clientWidth;
+      const { data } = canvas.getContext('2d')!.getImageData(at.x * ratio, at.y * ratio, 1, 1);
+      return [...data];
+    },
+    { x, y },
+  );
 }
 
 /** Pixels near a place of the plan in the colour that problems are marked with. */
