@@ -11,7 +11,7 @@ use super::problem::Failure;
 use super::{App, blocking};
 use crate::render::{ArenaView, LARGEST_PX, Quality};
 use crate::session::{LabError, Scenery};
-use crate::wire::{Problem, ThemeName};
+use crate::wire::{Family, Problem, ThemeName};
 
 /// What the picture shows.
 #[derive(Deserialize, IntoParams)]
@@ -22,7 +22,7 @@ pub(super) struct ArenaQuery {
     width: Option<u32>,
     /// Pixels, 1 to 4096; 640 when missing.
     height: Option<u32>,
-    /// A trial that ended; the present when missing.
+    /// A trial that ended, or in chapter 2 a run, by its round; the present when missing.
     trial: Option<u32>,
     /// Theme.
     #[serde(default)]
@@ -41,6 +41,12 @@ pub(super) async fn picture(
     Query(query): Query<ArenaQuery>,
 ) -> Result<Response, Failure> {
     let size = Size::new(query.width.unwrap_or(960), query.height.unwrap_or(640))?;
+    if app.lab.session(&id)?.family == Family::Drive {
+        app.lab.flush(&id).await;
+        let (app_too, id) = (app.clone(), id.clone());
+        let view = blocking(move || app_too.reporter().run_arena(&id, query.trial)).await?;
+        return png(&app, view, size, query.theme, Quality::Fast).await;
+    }
     let view = match query.trial {
         Some(trial) => {
             app.lab.flush(&id).await;

@@ -200,7 +200,9 @@ impl From<ReportError> for Failure {
         match error {
             ReportError::Lab(error) => error.into(),
             ReportError::Render(error) => error.into(),
-            ReportError::NoTrial { .. } => Self::not_found(error.to_string()).at("trial"),
+            ReportError::NoTrial { .. } | ReportError::NoRun { .. } => {
+                Self::not_found(error.to_string()).at("trial")
+            }
         }
     }
 }

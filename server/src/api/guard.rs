@@ -29,6 +29,9 @@ pub(super) async fn local_host(request: Request, next: Next) -> Response {
     }
 }
 
+/// How the field begins that may make a request for a session large.
+const NETWORK: &[u8] = b"\"network\"";
+
 /// Largest refused body that is still read to its end, bytes.
 const LARGEST_HEARD: usize = 8 * LARGEST_BODY;
 
@@ -45,7 +48,22 @@ pub(super) async fn body_size(request: Request, next: Next) -> Response {
         }
         return too_large(limit).into_response();
     }
+    if limit == LARGEST_SESSION && length.is_some_and(|length| length > LARGEST_BODY as u64) {
+        return network_only(request, next).await;
+    }
     next.run(request).await
+}
+
+/// Passes a request for a session on that is as large as only one with a network may be.
+async fn network_only(request: Request, next: Next) -> Response {
+    let (parts, body) = request.into_parts();
+    let Ok(body) = to_bytes(body, LARGEST_SESSION).await else {
+        return too_large(LARGEST_SESSION).into_response();
+    };
+    if !body.windows(NETWORK.len()).any(|part| part == NETWORK) {
+        return too_large(LARGEST_BODY).into_response();
+    }
+    next.run(Request::from_parts(parts, body.into())).await
 }
 
 /// Largest body that a path takes, bytes, with or without the root of the interface. Maps, worlds traced

@@ -21,7 +21,7 @@ pub struct ArenaView {
     pub earlier_paths_m: Vec<Vec<[f64; 2]>>,
     /// Path of the best trial so far, if it is not the one shown.
     pub best_path_m: Vec<[f64; 2]>,
-    /// Path of the trial shown.
+    /// Path of the trial shown; a place that is not finite interrupts it.
     pub path_m: Vec<[f64; 2]>,
     /// Places on the path where the robot collided.
     pub collisions_m: Vec<[f64; 2]>,

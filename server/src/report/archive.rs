@@ -52,9 +52,7 @@ pub fn zip<W: Write + Seek>(
     archive.text("report.html", &html(report))?;
     archive.text("report.json", &json(report))?;
     archive.text("trials.csv", &csv(report))?;
-    for (index, picture) in report.pictures.iter().enumerate() {
-        archive.stored(&picture_path(index, picture), &picture.png)?;
-    }
+    archive.pictures(&report.pictures)?;
     if let Some(network) = &report.network {
         archive.text("network.json", network)?;
     }
@@ -82,6 +80,14 @@ pub(super) struct Archive<W: Write + Seek> {
 impl<W: Write + Seek> Archive<W> {
     pub(super) fn new(target: W) -> Self {
         Self { writer: ZipWriter::new(target), names: BTreeSet::new() }
+    }
+
+    /// Adds pictures, numbered.
+    pub(super) fn pictures(&mut self, pictures: &[Picture]) -> Result<(), ArchiveError> {
+        for (index, picture) in pictures.iter().enumerate() {
+            self.stored(&picture_path(index, picture), &picture.png)?;
+        }
+        Ok(())
     }
 
     pub(super) fn finish(self) -> Result<W, ArchiveError> {

@@ -13,8 +13,8 @@ use super::command::repeat_command;
 use super::csv::line;
 use super::differences::Differences;
 use super::number::{NOTHING, fixed, fixed_or_nothing, state_text, time_text};
-use super::page::{Heading, facts, number, numbers, page, table, words};
-use super::{FORMAT_VERSION, RunInfo};
+use super::page::{Heading, facts, number, numbers, page, pictures, table, words};
+use super::{FORMAT_VERSION, Picture, RunInfo};
 use crate::wire::{
     DriveOutcome, DriveRunView, DriveScore, DriveScores, LogEntry, MeasureView, MethodScoreView,
     PresetInfo, Session, SettingInfo,
@@ -31,6 +31,8 @@ pub struct DriveReport {
     pub scores: DriveScores,
     /// The runs, in order.
     pub runs: Vec<DriveRunView>,
+    /// Ways of some of the runs.
+    pub pictures: Vec<Picture>,
     /// Every setting of the experiment.
     pub settings: Vec<SettingInfo>,
     /// The preset the settings started from.
@@ -55,6 +57,7 @@ pub fn drive_html(report: &DriveReport) -> String {
         (heading(report))
         section { h2 { "Methods" } (methods_table(&report.scores)) }
         section { h2 { "Runs" } (runs_table(&report.runs)) }
+        (pictures("Ways", &report.pictures))
         (closing(report.run(), "runs", "changes the method or silences a sonar", &report.events, &report.build))
     };
     page(&title, body)
@@ -345,6 +348,7 @@ pub fn drive_zip<W: Write + Seek>(
     archive.text("report.html", &drive_html(report))?;
     archive.text("report.json", &drive_json(report))?;
     archive.text("runs.csv", &drive_csv(report))?;
+    archive.pictures(&report.pictures)?;
     if let Some(log) = log {
         archive.log(log)?;
     }
@@ -361,6 +365,7 @@ fn readme(report: &DriveReport) -> String {
          report.html    the report, for reading and printing\n  \
          report.json    the report, complete, for programs\n  \
          runs.csv       the runs, for spreadsheets\n  \
+         pictures/      the ways of some runs, as drawn in the report\n  \
          log.mcap       every cycle with its explanation (MCAP, JSON messages)\n\n\
          Run it again\n  {}\n  \
          The same build gives the same runs to the bit, unless somebody changed the method or silenced a\n  \

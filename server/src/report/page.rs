@@ -66,6 +66,20 @@ pub(super) fn figure(picture: &Picture) -> Markup {
     }
 }
 
+/// A section of figures; nothing when there are none.
+pub(super) fn pictures(title: &str, pictures: &[Picture]) -> Markup {
+    html! {
+        @if !pictures.is_empty() {
+            section {
+                h2 { (title) }
+                div class="pictures" {
+                    @for picture in pictures { (figure(picture)) }
+                }
+            }
+        }
+    }
+}
+
 /// A column's heading: what it is, its unit below it, and whether it holds numbers.
 pub(super) struct Heading {
     pub(super) name: &'static str,

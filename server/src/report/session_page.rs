@@ -7,7 +7,7 @@ use super::command::repeat_command;
 use super::curve::{Chart, Marks, Series};
 use super::differences::Differences;
 use super::number::{count_or_nothing, fixed_or_nothing, grouped, state_text, time_text};
-use super::page::{KeyNumber, facts, figure, key_numbers, page};
+use super::page::{KeyNumber, facts, key_numbers, page, pictures};
 use super::session_tables::{
     differences_tables, events_table, preset_table, settings_table, starts_table, trials_table,
 };
@@ -20,7 +20,7 @@ pub fn html(report: &SessionReport) -> String {
     let body = html! {
         (heading(report))
         (results(report))
-        (pictures(report))
+        (pictures("Paths", &report.pictures))
         (learning(report))
         section {
             h2 { "Trials" }
@@ -129,19 +129,6 @@ fn last_note(report: &SessionReport) -> String {
         Some(last) if last.reached_goal => format!("trial {}", last.trial),
         Some(last) => format!("trial {}, goal not reached", last.trial),
         None => String::new(),
-    }
-}
-
-fn pictures(report: &SessionReport) -> Markup {
-    html! {
-        @if !report.pictures.is_empty() {
-            section {
-                h2 { "Paths" }
-                div class="pictures" {
-                    @for picture in &report.pictures { (figure(picture)) }
-                }
-            }
-        }
     }
 }
 

@@ -303,8 +303,37 @@ async fn rules_and_reports_of_chapter_2_are_there() {
         assert!(html.contains(part), "{part}");
     }
     assert_eq!(get("report.zip").await.status, StatusCode::OK);
-    let refused = house.get(&format!("/api/v1/sessions/{id}/arena.png")).await;
-    assert_eq!(refused.status, StatusCode::UNPROCESSABLE_ENTITY);
+    assert!(!html.contains("<img"), "an approach has no way worth a picture");
+}
+
+#[tokio::test]
+async fn ways_are_drawn_on_request_and_in_the_report() {
+    let house = House::new();
+    let request =
+        request("block-world", 1, json!({ "trial.time_limit": 20.0, "compare": true }), MAX);
+    let id = house.lab().create(&request).expect("a good request").id;
+    let get = async |file: &str| house.get(&format!("/api/v1/sessions/{id}/{file}")).await;
+    // Before the first cycle there is a floor to see, and no run.
+    assert_eq!(get("arena.png").await.status, StatusCode::OK);
+    assert_eq!(get("arena.png?trial=1").await.status, StatusCode::NOT_FOUND);
+    house.control(&id, Start).await;
+    house.until_state(&id, State::Finished).await;
+    let [first, second, newest] = ["arena.png?trial=1", "arena.png?trial=2", "arena.png"];
+    let (first, second) = (get(first).await, get(second).await);
+    for picture in [&first, &second] {
+        assert_eq!(picture.status, StatusCode::OK);
+        assert!(picture.bytes.starts_with(b"\x89PNG"));
+    }
+    assert_ne!(first.bytes, second.bytes, "the captions name the methods");
+    assert_eq!(get(newest).await.bytes, second.bytes, "nothing was driven since");
+    assert_eq!(get("arena.png?trial=3").await.status, StatusCode::NOT_FOUND);
+    let html = String::from_utf8(get("report.html").await.bytes.to_vec()).expect("text");
+    assert_eq!(html.matches("<img").count(), 2, "one way for each method");
+    let zip = get("report.zip").await.bytes;
+    let mut zip = zip::ZipArchive::new(std::io::Cursor::new(zip)).expect("a zip file");
+    for name in ["pictures/01-run-001.png", "pictures/02-run-002.png"] {
+        assert!(zip.by_name(name).is_ok(), "{name}");
+    }
 }
 
 #[tokio::test]

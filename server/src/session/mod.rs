@@ -15,6 +15,7 @@
 
 mod actor;
 mod arena;
+mod drive_arena;
 mod drive_run;
 mod drive_view;
 mod feed;

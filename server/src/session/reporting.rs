@@ -1,16 +1,18 @@
 //! Reports and stills of stored sessions and trials, put together from the log.
 
 use super::arena::{Scenery, world_view};
+use super::drive_arena::{drive_arena, run_caption};
+use super::drive_run::course;
 use super::lab::{Lab, LabError};
 use super::paths::Paths;
 use super::starts::starts_arena;
-use crate::catalog::Plan;
+use crate::catalog::{FieldError, Job, Plan};
 use crate::render::{ArenaView, Quality, RenderError, Renderer};
 use crate::report::{DriveReport, Picture, SessionReport, TableReport, TrialReport};
 use crate::store::StoreError;
 use crate::wire::{
-    AlteredStartView, DriveScores, Family, PresetInfo, Round, ScoresView, Session, Summary,
-    ThemeName, TickView, Trial, TrialEndView, Yardstick,
+    AlteredStartView, CourseView, DriveOutcome, DriveRunView, DriveScores, Family, PresetInfo,
+    Round, ScoresView, Session, Summary, ThemeName, TickView, Trial, TrialEndView, Yardstick,
 };
 use crate::yardstick;
 
@@ -28,6 +30,14 @@ pub enum ReportError {
     /// A still cannot be drawn.
     #[error(transparent)]
     Render(#[from] RenderError),
+    /// There is no such run.
+    #[error("run {round} has not ended; {done} have")]
+    NoRun {
+        /// What was asked for.
+        round: u32,
+        /// Runs done.
+        done: usize,
+    },
     /// There is no such trial.
     #[error("trial {trial} has not ended; {done} trials have")]
     NoTrial {
@@ -119,22 +129,102 @@ impl Reporter<'_> {
             return Ok(None);
         }
         let feed = self.lab.feed(id)?;
-        let rounds = self.lab.store().rounds(id)?.into_iter();
-        let run = |round| match round {
-            Round::Run(run) => Some(*run),
-            Round::Trial(_) | Round::Episode(_) => None,
-        };
         let present = feed.snapshot().present.drive().cloned().unwrap_or_default();
+        let runs = self.runs(id)?;
         Ok(Some(DriveReport {
             title: self.title(&session),
             scores: DriveScores::clone(&present.scores),
-            runs: rounds.filter_map(run).collect(),
+            pictures: self.ways(id, &runs)?,
+            runs,
             settings: self.experiment(&session).map(|e| e.settings.clone()).unwrap_or_default(),
             preset: self.preset(&session),
             events: self.lab.store().events(id, LINES)?,
             build: crate::build(),
             session,
         }))
+    }
+
+    /// The floor of chapter 2 with the way of a run that ended, by the number of its round, or of what
+    /// was driven since the last one that did, which is shown if nothing was.
+    ///
+    /// # Errors
+    /// When the session drives no robot, there is no such run, or it cannot be read.
+    pub fn run_arena(&self, id: &str, round: Option<u32>) -> Result<ArenaView, ReportError> {
+        let course = self.course(id)?;
+        let runs = self.runs(id)?;
+        let found = match round {
+            Some(round) => {
+                let found = runs.iter().find(|run| run.round == round);
+                Some(found.ok_or(ReportError::NoRun { round, done: runs.len() })?)
+            }
+            None => runs.last(),
+        };
+        if round.is_none() {
+            let from = found.map_or(1, |run| run.last_tick + 1);
+            let cycles = self.lab.store().cycles(id, from, u64::MAX)?;
+            if !cycles.is_empty() || found.is_none() {
+                return Ok(drive_arena(
+                    &course,
+                    &cycles,
+                    format!("Run under way: {} cycles", cycles.len()),
+                ));
+            }
+        }
+        found.map_or_else(
+            || Ok(drive_arena(&course, &[], course.title.clone())),
+            |run| self.way(id, &course, run),
+        )
+    }
+
+    fn way(
+        &self,
+        id: &str,
+        course: &CourseView,
+        run: &DriveRunView,
+    ) -> Result<ArenaView, ReportError> {
+        let cycles = self.lab.store().cycles(id, run.first_tick, run.last_tick)?;
+        Ok(drive_arena(course, &cycles, run_caption(run)))
+    }
+
+    fn course(&self, id: &str) -> Result<CourseView, ReportError> {
+        match self.lab.job(id)? {
+            Job::Plain(plan) => Ok(course(&plan).map_err(LabError::Field)?),
+            Job::Path(plan) => {
+                let message = format!("a session of `{}` has trials, not runs", plan.experiment);
+                Err(LabError::Field(FieldError::new("experiment", message)).into())
+            }
+        }
+    }
+
+    fn runs(&self, id: &str) -> Result<Vec<DriveRunView>, ReportError> {
+        let run = |round| match round {
+            Round::Run(run) => Some(*run),
+            Round::Trial(_) | Round::Episode(_) => None,
+        };
+        Ok(self.lab.store().rounds(id)?.into_iter().filter_map(run).collect())
+    }
+
+    /// The ways of the first run by each method, and of the last. An approach has none worth a picture.
+    fn ways(&self, id: &str, runs: &[DriveRunView]) -> Result<Vec<Picture>, ReportError> {
+        let is_drive = |run: &&DriveRunView| matches!(run.outcome, DriveOutcome::Drive(_));
+        let mut shown: Vec<&DriveRunView> = Vec::new();
+        for run in runs.iter().filter(is_drive) {
+            if !shown.iter().any(|other| other.method == run.method) {
+                shown.push(run);
+            }
+        }
+        let last = runs.iter().rfind(is_drive);
+        shown.extend(last.filter(|last| !shown.iter().any(|run| run.round == last.round)));
+        if shown.is_empty() {
+            return Ok(Vec::new());
+        }
+        let course = self.course(id)?;
+        let picture = |run: &DriveRunView| {
+            let view = self.way(id, &course, run)?;
+            let caption = view.caption.clone();
+            Ok(self.still(view, &format!("run-{:03}", run.round), caption)?)
+        };
+        shown.into_iter().map(picture).collect()
     }
 
     /// Everything the report of a trial is made from.

@@ -46,7 +46,13 @@ impl Canvas<'_> {
 
     /// The trial shown: thicker, with a dot at every step as far as they stay apart.
     pub(super) fn path(&self, scene: &mut Scene) {
-        let points = self.at.path(&self.view.path_m, STEP_PX);
+        for piece in self.view.path_m.split(|[x, y]| !(x.is_finite() && y.is_finite())) {
+            self.piece_of_path(scene, piece);
+        }
+    }
+
+    fn piece_of_path(&self, scene: &mut Scene, path_m: &[[f64; 2]]) {
+        let points = self.at.path(path_m, STEP_PX);
         if points.len() < 2 {
             return;
         }
@@ -55,7 +61,7 @@ impl Canvas<'_> {
         if self.layout.is_thumbnail {
             return;
         }
-        for dot in spaced(&self.at.places(&self.view.path_m), self.px(LEAST_DOT_GAP)) {
+        for dot in spaced(&self.at.places(path_m), self.px(LEAST_DOT_GAP)) {
             scene.disc(dot, self.px(3.1), colour);
             scene.disc(dot, self.px(1.5), self.theme.background);
         }
