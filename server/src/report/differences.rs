@@ -55,6 +55,10 @@ impl Differences {
                 continue;
             }
             let Some(value) = run.session.settings.get(&info.key) else { continue };
+            // An empty text stands for nothing of one's own.
+            if value == "" {
+                continue;
+            }
             let difference = Difference::new(info, value);
             match info.standing.as_str() {
                 "literal" if difference.is_default => {}

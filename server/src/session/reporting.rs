@@ -152,28 +152,20 @@ impl Reporter<'_> {
     pub fn run_arena(&self, id: &str, round: Option<u32>) -> Result<ArenaView, ReportError> {
         let course = self.course(id)?;
         let runs = self.runs(id)?;
-        let found = match round {
-            Some(round) => {
-                let found = runs.iter().find(|run| run.round == round);
-                Some(found.ok_or(ReportError::NoRun { round, done: runs.len() })?)
-            }
-            None => runs.last(),
-        };
-        if round.is_none() {
-            let from = found.map_or(1, |run| run.last_tick + 1);
-            let cycles = self.lab.store().cycles(id, from, u64::MAX)?;
-            if !cycles.is_empty() || found.is_none() {
-                return Ok(drive_arena(
-                    &course,
-                    &cycles,
-                    format!("Run under way: {} cycles", cycles.len()),
-                ));
+        if let Some(round) = round {
+            let run = runs.iter().find(|run| run.round == round);
+            let run = run.ok_or(ReportError::NoRun { round, done: runs.len() })?;
+            return self.way(id, &course, run);
+        }
+        let from = runs.last().map_or(1, |run| run.last_tick + 1);
+        let cycles = self.lab.store().cycles(id, from, u64::MAX)?;
+        match runs.last() {
+            Some(run) if cycles.is_empty() => self.way(id, &course, run),
+            _ => {
+                let caption = format!("Run under way: {} cycles", cycles.len());
+                Ok(drive_arena(&course, &cycles, caption))
             }
         }
-        found.map_or_else(
-            || Ok(drive_arena(&course, &[], course.title.clone())),
-            |run| self.way(id, &course, run),
-        )
     }
 
     fn way(

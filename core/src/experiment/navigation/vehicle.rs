@@ -25,7 +25,8 @@ pub(super) struct Outfit {
     pub(super) body: Body,
     pub(super) bumper: BumperSpec,
     pub(super) compass: CompassSpec,
-    /// All sonars are read at the end of a cycle, not each in its slot.
+    /// All sonars are read at the end of a cycle, not each in its slot. NOTE: section 2.9 calls the
+    /// simulator's sonars ideal and does not say when they are read.
     pub(super) at_once: bool,
 }
 
