@@ -38,6 +38,18 @@ test('a robot in the corridor is watched, and driven by another method with a si
   await expect(page.getByText('Finished').first()).toBeVisible({ timeout: 60_000 });
   await expect(page.getByRole('region', { name: 'Table of runs' }).getByRole('row')).toHaveCount(3);
   await photograph(page, 'corridor-finished');
+
+  // The way of a run that has ended, by its row and by the choice above the plan.
+  await page.getByRole('button', { name: /^Show run 1 by Median/ }).click();
+  const way = page.getByRole('img', { name: /^Path of run 1 by Median/ });
+  await expect(way).toBeVisible();
+  await expect
+    .poll(() => way.evaluate((img: HTMLImageElement) => img.naturalWidth))
+    .toBeGreaterThan(300);
+  await axeFindsNothing(page);
+  await photograph(page, 'corridor-past-run');
+  await page.getByLabel('Show', { exact: true }).selectOption('live');
+  await expect(way).toBeHidden();
 });
 
 test('the approach to a wall shows what each method tells, also on a dark phone', async ({

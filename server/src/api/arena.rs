@@ -57,7 +57,7 @@ pub(super) async fn picture(
             let lab = app.lab.clone();
             blocking(move || -> Result<ArenaView, LabError> {
                 let (feed, scenery) = (lab.feed(&id)?, Scenery::new(&lab.plan(&id)?));
-                Ok(scenery.live(&feed.snapshot()))
+                Ok(scenery.live(&feed.snapshot(), &feed.yardstick()))
             })
             .await?
         }

@@ -1,6 +1,6 @@
 //! A made-up but realistic view of the laboratory, for measurements and tests of pictures.
 
-use super::view::{ArenaView, ConeView, NeuronMark, RegionView, RobotPose, RobotView};
+use super::view::{ArenaView, ConeView, NeuronMark, PathOf, RegionView, RobotPose, RobotView};
 use std::f64::consts::{PI, TAU};
 
 /// The laboratory in the middle of a trial: `ghosts` earlier trials, `neurons` neurons, a robot
@@ -18,10 +18,12 @@ pub(super) fn laboratory(ghosts: usize, neurons: usize) -> ArenaView {
         goal_radius_m: 0.5,
         earlier_paths_m: (0..ghosts).map(|n| trial(n as f64, 0.16)).collect(),
         best_path_m: trial(0.4, 0.02),
+        planned_path_m: trial(0.0, 0.0),
         collisions_m: vec![[3.32, -0.66], [4.6, -0.9]],
         neurons: won((0..neurons).map(neuron).collect(), robot),
         robot: Some(robot_at(robot)),
         path_m,
+        path_of: PathOf::Trial,
         caption: "Trial 21, step 25 · total reinforcement −23.5".to_owned(),
     }
 }

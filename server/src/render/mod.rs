@@ -26,7 +26,7 @@ pub use cpu::CpuBackend;
 pub use gpu::{AdapterChoice, GpuBackend, gpu_available};
 pub use png::{Quality, encode};
 pub use renderer::Renderer;
-pub use view::{ArenaView, NeuronMark, RegionView, RobotPose, RobotView};
+pub use view::{ArenaView, NeuronMark, PathOf, RegionView, RobotPose, RobotView};
 
 use std::str::FromStr;
 

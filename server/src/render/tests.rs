@@ -240,12 +240,26 @@ fn maze() -> ArenaView {
     }
 }
 
+/// A corridor in strips with nothing but the way of a run: its legend is narrow.
+fn corridor() -> ArenaView {
+    ArenaView {
+        bounds_m: [0.0, -8.8, 13.3, 1.2],
+        walls_m: vec![[0.0, 1.2, 13.3, 1.2]],
+        home: RobotPose { at_m: [f64::NAN; 2], heading_rad: 0.0 },
+        path_m: vec![[1.2, 0.0], [9.0, 0.2]],
+        path_of: PathOf::Run,
+        caption: "Run 1 by median-kalman".into(),
+        ..ArenaView::default()
+    }
+}
+
 #[test]
 fn every_text_stands_inside_the_picture() {
     let sizes =
         [(320, 213), (420, 640), (640, 400), (960, 640), (1000, 700), (700, 1400), (4096, 4096)];
-    for ((width, height), view) in
-        sizes.iter().flat_map(|&size| [(size, laboratory(500, 130)), (size, maze())])
+    for ((width, height), view) in sizes
+        .iter()
+        .flat_map(|&size| [(size, laboratory(500, 130)), (size, maze()), (size, corridor())])
     {
         let scene = arena_scene(&view, width, height, ThemeName::Light);
         for primitive in scene.primitives() {
@@ -262,6 +276,7 @@ fn every_text_stands_inside_the_picture() {
 #[test]
 fn what_is_not_there_is_not_named() {
     let no_goal = ArenaView { goal_radius_m: 0.0, ..maze() };
+    let of_a_run = ArenaView { path_of: PathOf::Run, goal_radius_m: 0.0, ..maze() };
     let no_home = ArenaView {
         home: RobotPose { at_m: [f64::NAN; 2], heading_rad: 0.0 },
         regions: vec![],
@@ -271,6 +286,7 @@ fn what_is_not_there_is_not_named() {
     for (view, expected) in [
         (maze(), ["goal", "home", "start", "Episode 4 of 100", "0.5 m", "this trial"].as_slice()),
         (no_goal, &["home", "start", "Episode 4 of 100", "0.5 m", "this trial"]),
+        (of_a_run, &["home", "start", "Episode 4 of 100", "0.5 m", "this run"]),
         (no_home, &["goal", "Episode 4 of 100", "0.5 m"]),
     ] {
         let scene = arena_scene(&view, 960, 640, ThemeName::Light);

@@ -21,8 +21,12 @@ pub struct ArenaView {
     pub earlier_paths_m: Vec<Vec<[f64; 2]>>,
     /// Path of the best trial so far, if it is not the one shown.
     pub best_path_m: Vec<[f64; 2]>,
-    /// Path of the trial shown; a place that is not finite interrupts it.
+    /// The cheapest path that a planner finds.
+    pub planned_path_m: Vec<[f64; 2]>,
+    /// Path shown; a place that is not finite interrupts it.
     pub path_m: Vec<[f64; 2]>,
+    /// What the path is of.
+    pub path_of: PathOf,
     /// Places on the path where the robot collided.
     pub collisions_m: Vec<[f64; 2]>,
     /// Neurons at their birth places.
@@ -31,6 +35,27 @@ pub struct ArenaView {
     pub robot: Option<RobotView>,
     /// Title line, e.g. "Trial 3, step 17".
     pub caption: String,
+}
+
+/// What a path is of, as the legend names it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PathOf {
+    /// A trial from home to the goal.
+    #[default]
+    Trial,
+    /// A run of chapter 2.
+    Run,
+}
+
+impl PathOf {
+    /// The one shown, among others.
+    #[must_use]
+    pub const fn this(self) -> &'static str {
+        match self {
+            Self::Trial => "this trial",
+            Self::Run => "this run",
+        }
+    }
 }
 
 /// A named region.

@@ -7,7 +7,7 @@ use super::{
     required,
 };
 use crate::catalog::PlainPlan;
-use crate::render::view::{ArenaView, RobotPose};
+use crate::render::view::{ArenaView, PathOf, RobotPose};
 use crate::session::course;
 use crate::wire::{DriveScore, ReproductionRow};
 
@@ -143,6 +143,7 @@ fn picture(arm: &Arm, plan: &PlainPlan, run: &Drive) -> Result<Picture, Reproduc
     let contacts = run.score().map_or(0, contacts);
     let caption = format!("{}, 300 s with ideal sonars: {contacts} contacts", arm.name);
     let view = ArenaView {
+        path_of: PathOf::Run,
         bounds_m: course.bounds_m,
         walls_m: course.faces.iter().map(|face| face.segment_m).collect(),
         home: RobotPose { at_m: [f64::NAN; 2], heading_rad: 0.0 },

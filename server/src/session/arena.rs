@@ -7,7 +7,7 @@ use sonarium_core::world::World;
 use super::Snapshot;
 use crate::catalog::Plan;
 use crate::render::view::{ArenaView, ConeView, NeuronMark, RegionView, RobotPose, RobotView};
-use crate::wire::{NeuronView, PoseView, SonarView, TickView, WorldView};
+use crate::wire::{NeuronView, PoseView, SonarView, TickView, WorldView, Yardstick};
 
 /// What of a picture stays the same while a session runs.
 #[derive(Clone, Debug)]
@@ -35,13 +35,14 @@ impl Scenery {
         self.empty.clone()
     }
 
-    /// The present of a robot's session.
+    /// The present of a robot's session, with the path that a planner finds once it is known.
     #[must_use]
-    pub fn live(&self, snapshot: &Snapshot) -> ArenaView {
+    pub fn live(&self, snapshot: &Snapshot, yardstick: &Yardstick) -> ArenaView {
         let Some(present) = snapshot.present.path() else { return self.empty() };
         let (paths, tick) = (&present.paths, present.tick.as_deref());
         ArenaView {
             earlier_paths_m: paths.earlier.iter().map(|path| path.to_vec()).collect(),
+            planned_path_m: planned(yardstick),
             best_path_m: paths.best.as_deref().cloned().unwrap_or_default(),
             path_m: paths.present.clone(),
             collisions_m: paths.collisions.clone(),
@@ -88,6 +89,12 @@ impl Scenery {
         };
         neurons.iter().map(mark).collect()
     }
+}
+
+/// The path that a planner finds; nothing while it is not known.
+#[must_use]
+pub(super) fn planned(yardstick: &Yardstick) -> Vec<[f64; 2]> {
+    yardstick.ready().map_or_else(Vec::new, |path| path.path_m.clone())
 }
 
 /// The world as the page needs it.

@@ -1,6 +1,6 @@
 //! The floor of chapter 2 as a picture, with the way of a run on it.
 
-use crate::render::{ArenaView, RobotPose};
+use crate::render::{ArenaView, PathOf, RobotPose};
 use crate::wire::{CourseView, CycleView, DriveOutcome, DriveRunView};
 
 /// Floors at least so many times as long as wide are drawn in strips, one below the other.
@@ -106,6 +106,7 @@ pub(super) fn drive_arena(course: &CourseView, cycles: &[CycleView], caption: St
         walls_m: course.faces.iter().flat_map(|face| strips.cut(face.segment_m)).collect(),
         home: RobotPose { at_m: NOWHERE, heading_rad: 0.0 },
         path_m: strips.way(cycles.iter().map(at)),
+        path_of: PathOf::Run,
         collisions_m: (cycles.iter().filter(|cycle| cycle.bump.is_some()))
             .map(|cycle| strips.place(at(cycle)))
             .collect(),

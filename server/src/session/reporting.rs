@@ -1,6 +1,6 @@
 //! Reports and stills of stored sessions and trials, put together from the log.
 
-use super::arena::{Scenery, world_view};
+use super::arena::{Scenery, planned, world_view};
 use super::drive_arena::{drive_arena, run_caption};
 use super::drive_run::course;
 use super::lab::{Lab, LabError};
@@ -77,15 +77,15 @@ impl Reporter<'_> {
         Ok(SessionReport {
             title: self.title(&session),
             summary: summary(&trials, &yardstick),
-            yardstick,
             settings: self.experiment(&session).map(|e| e.settings.clone()).unwrap_or_default(),
             preset: self.preset(&session),
             world: world_view(&plan),
             events: self.lab.store().events(id, LINES)?,
-            pictures: self.stills(id, &plan, &trials, &starts)?,
+            pictures: self.stills(id, &plan, &trials, &starts, &yardstick)?,
             network: self.lab.store().network(id)?,
             starts: starts.into_iter().map(AlteredStartView::without_paths).collect(),
             build: crate::build(),
+            yardstick,
             session,
             trials,
         })
@@ -226,20 +226,21 @@ impl Reporter<'_> {
     pub fn trial(&self, id: &str, trial: u32) -> Result<TrialReport, ReportError> {
         let (plan, session) = (self.lab.plan(id)?, self.lab.session(id)?);
         let (end, ticks) = self.read(id, trial)?;
-        let view = trial_view(&plan, &end, &ticks);
+        let view = trial_view(&plan, &end, &ticks, &yardstick::compute(&plan));
         let caption = view.caption.clone();
         let picture = self.still(view, &format!("trial-{trial:03}"), caption)?;
         Ok(TrialReport { title: self.title(&session), session, end, ticks, picture: Some(picture) })
     }
 
-    /// The arena with the path of one trial and the neurons after it.
+    /// The arena with the path of one trial, the neurons after it, and the planned path if it is known by
+    /// now.
     ///
     /// # Errors
     /// When there is no such trial, or it cannot be read.
     pub fn trial_arena(&self, id: &str, trial: u32) -> Result<ArenaView, ReportError> {
         let plan = self.lab.plan(id)?;
         let (end, ticks) = self.read(id, trial)?;
-        Ok(trial_view(&plan, &end, &ticks))
+        Ok(trial_view(&plan, &end, &ticks, &yardstick::known(&plan)))
     }
 
     fn read(&self, id: &str, trial: u32) -> Result<(TrialEndView, Vec<TickView>), ReportError> {
@@ -259,6 +260,7 @@ impl Reporter<'_> {
         plan: &Plan,
         trials: &[Trial],
         starts: &[AlteredStartView],
+        yardstick: &Yardstick,
     ) -> Result<Vec<Picture>, ReportError> {
         let first = trials.first().map(|trial| ("First", trial.trial));
         let best = summary(trials, &Yardstick::Computing).best_trial.map(|trial| ("Best", trial));
@@ -270,7 +272,7 @@ impl Reporter<'_> {
                 continue;
             }
             let (end, ticks) = self.read(id, trial)?;
-            let view = trial_view(plan, &end, &ticks);
+            let view = trial_view(plan, &end, &ticks, yardstick);
             let caption = format!("{word} trial. {}", view.caption);
             stills.push(self.still(view, &name, caption)?);
         }
@@ -334,7 +336,12 @@ pub fn summary(trials: &[Trial], yardstick: &Yardstick) -> Summary {
     }
 }
 
-fn trial_view(plan: &Plan, end: &TrialEndView, ticks: &[TickView]) -> ArenaView {
+fn trial_view(
+    plan: &Plan,
+    end: &TrialEndView,
+    ticks: &[TickView],
+    yardstick: &Yardstick,
+) -> ArenaView {
     let scenery = Scenery::new(plan);
     let mut paths = Paths::default();
     for tick in ticks {
@@ -343,6 +350,7 @@ fn trial_view(plan: &Plan, end: &TrialEndView, ticks: &[TickView]) -> ArenaView 
     let Trial { trial, steps, total_reinforcement, reached_goal, .. } = &end.trial;
     let result = if *reached_goal { "reached the goal in" } else { "did not reach the goal in" };
     ArenaView {
+        planned_path_m: planned(yardstick),
         path_m: paths.present,
         collisions_m: paths.collisions,
         neurons: scenery.neurons(&end.neurons, None),

@@ -118,7 +118,7 @@ impl Channel {
     async fn draw(&self) -> Option<Frame> {
         let (_, width, height, theme) = self.key;
         let version = self.feed.version();
-        let view = self.scenery.live(&self.feed.snapshot());
+        let view = self.scenery.live(&self.feed.snapshot(), &self.feed.yardstick());
         let renderer = self.frames.renderer();
         match renderer.picture(view, width, height, theme, Quality::Fast).await {
             Ok(png) => {

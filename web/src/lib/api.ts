@@ -128,8 +128,8 @@ export const sessionFile = (id: string, name: string) => `${ROOT}/${path(id)}/${
 export const trialFile = (id: string, trial: number, ending: string) =>
   `${ROOT}/${path(id)}/trials/${trial}/report.${ending}`;
 
-/** Address of a picture of one trial's path. */
-export function trialPicture(id: string, trial: number, size: Size, theme: ThemeName): string {
+/** Address of a picture of one trial's path, or of a run's by its round. */
+export function pastPicture(id: string, trial: number, size: Size, theme: ThemeName): string {
   return `${ROOT}/${path(id)}/arena.png?${query({ ...size, trial, theme })}`;
 }
 

@@ -69,6 +69,9 @@ const LINE: f32 = 1.6;
 /// Space for a symbol of the legend, parts of the font size.
 pub(super) const SYMBOL: f32 = 2.6;
 
+/// Space for the length beside the scale bar, parts of the font size.
+const LENGTH: f32 = 4.0;
+
 /// The sheet of paper before the arena has its place.
 struct Sheet {
     width: f32,
@@ -216,7 +219,10 @@ impl Canvas<'_> {
     /// A bar of a round number of metres with its length beside it.
     pub(super) fn scale_bar(&self, scene: &mut Scene) {
         let layout = self.layout;
-        let most_px = (layout.font * 10.0).min(0.3 * scene.width as f32);
+        // Beside a narrow legend the bar is short, so that its length stands inside the picture.
+        let room_px = scene.width as f32 - layout.scale_bar[0] - layout.pad - LENGTH * layout.font;
+        let most_px = (layout.font * 10.0).min(0.3 * scene.width as f32).min(room_px);
+        let most_px = most_px.max(layout.font);
         let (length_m, label) = round_length(f64::from(most_px) / self.at.px_per_m);
         let (length, thick) = (self.at.length(length_m), self.px(2.0).max(1.0));
         let [left, bottom] = layout.scale_bar.map(f32::round);

@@ -2,7 +2,7 @@
 
 use super::layout::SYMBOL;
 use super::marks::{believed_dash, differs, nose};
-use super::paths::{MOST_GHOSTS, best_dash};
+use super::paths::MOST_GHOSTS;
 use super::{Canvas, rimmed_stroke};
 use crate::render::scene::{Anchor, Point, Primitive, Scene, Stroke, Text};
 use crate::render::text::CAP_HEIGHT;
@@ -20,6 +20,7 @@ pub(super) struct Entry {
 pub(super) enum Symbol {
     Path,
     Best,
+    Planned,
     Ghosts,
     Collision,
     Robot,
@@ -43,8 +44,9 @@ pub(super) fn entries(view: &ArenaView) -> Vec<Entry> {
     };
     let text = str::to_owned;
     [
-        (view.path_m.len() > 1, Symbol::Path, text("this trial")),
+        (view.path_m.len() > 1, Symbol::Path, text(view.path_of.this())),
         (view.best_path_m.len() > 1, Symbol::Best, text("best trial")),
+        (view.planned_path_m.len() > 1, Symbol::Planned, text("planned path")),
         (ghosts > 0, Symbol::Ghosts, earlier),
         (!view.collisions_m.is_empty(), Symbol::Collision, text("collision")),
         (robot.is_some(), Symbol::Robot, text("robot")),
@@ -93,7 +95,8 @@ impl Canvas<'_> {
         let line = vec![from, to];
         match symbol {
             Symbol::Path => self.path_symbol(scene, from, to, centre),
-            Symbol::Best => self.dashed(scene, line, self.px(2.2).max(1.1)),
+            Symbol::Best => scene.push(self.best_line(line)),
+            Symbol::Planned => scene.push(self.planned_line(line)),
             Symbol::Ghosts => {
                 scene.stroke(line, self.px(1.2), theme.ghost.fade(theme.ghost_opacity[0]));
             }
@@ -120,11 +123,6 @@ impl Canvas<'_> {
         rimmed_stroke(scene, vec![from, to], self.px(2.6), colour, ground);
         scene.disc(centre, self.px(3.1), colour);
         scene.disc(centre, self.px(1.5), ground);
-    }
-
-    fn dashed(&self, scene: &mut Scene, points: Vec<Point>, width: f32) {
-        let (colour, dash) = (self.theme.best, Some(best_dash(width)));
-        scene.push(Primitive::Stroke(Stroke { points, width, colour, dash, closed: false }));
     }
 
     fn believed_symbol(&self, scene: &mut Scene, centre: Point) {

@@ -1,6 +1,6 @@
 //! The picture of an arena: what is drawn, and in which order.
 //!
-//! From back to front: region tints, sonar cones, goal, ghost paths, best path, path of this trial,
+//! From back to front: region tints, sonar cones, goal, ghost paths, planned and best path, path shown,
 //! walls, home, neurons, collisions, the robot, the winner (it often lies under the robot); a mat
 //! around the arena that hides what sticks out; names, caption, scale bar and legend.
 //!
@@ -32,6 +32,7 @@ pub fn scene(view: &ArenaView, width: u32, height: u32, theme: ThemeName) -> Sce
     canvas.cones(&mut scene);
     canvas.goal(&mut scene);
     canvas.ghosts(&mut scene);
+    canvas.planned_path(&mut scene);
     canvas.best_path(&mut scene);
     canvas.path(&mut scene);
     canvas.walls(&mut scene);

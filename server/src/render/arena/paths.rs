@@ -34,14 +34,29 @@ impl Canvas<'_> {
         if points.len() < 2 {
             return;
         }
+        scene.push(self.best_line(points));
+    }
+
+    pub(super) fn best_line(&self, points: Vec<Point>) -> Primitive {
         let width = self.px(2.2).max(1.1);
-        scene.push(Primitive::Stroke(Stroke {
-            points,
-            width,
-            colour: self.theme.best,
-            dash: Some(best_dash(width)),
-            closed: false,
-        }));
+        // Round caps take from the gaps.
+        let dash = Some([3.2 * width, 3.0 * width]);
+        Primitive::Stroke(Stroke { points, width, colour: self.theme.best, dash, closed: false })
+    }
+
+    /// The planned path, dotted.
+    pub(super) fn planned_path(&self, scene: &mut Scene) {
+        let points = self.at.path(&self.view.planned_path_m, STEP_PX);
+        if points.len() > 1 {
+            scene.push(self.planned_line(points));
+        }
+    }
+
+    pub(super) fn planned_line(&self, points: Vec<Point>) -> Primitive {
+        let width = self.px(2.0).max(1.0);
+        // Dashes that are nearly all caps: dots.
+        let dash = Some([0.1 * width, 2.4 * width]);
+        Primitive::Stroke(Stroke { points, width, colour: self.theme.ink, dash, closed: false })
     }
 
     /// The trial shown: thicker, with a dot at every step as far as they stay apart.
@@ -66,12 +81,6 @@ impl Canvas<'_> {
             scene.disc(dot, self.px(1.5), self.theme.background);
         }
     }
-}
-
-/// Lengths of the best path's dashes and gaps for a line of this width; round caps take from the
-/// gaps.
-pub(super) fn best_dash(width: f32) -> [f32; 2] {
-    [3.2 * width, 3.0 * width]
 }
 
 fn spaced(points: &[Point], least_px: f32) -> Vec<Point> {
