@@ -6,7 +6,7 @@
 //! tests that run them side by side hold it to.
 
 pub(crate) use fearless_simd::prelude::*;
-pub(crate) use fearless_simd::{Level, dispatch, f64x4};
+pub(crate) use fearless_simd::{Level, dispatch, f64x4, f64x8};
 
 /// Every level this processor has.
 #[cfg(test)]

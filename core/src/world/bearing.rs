@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use crate::geometry::Vec2;
 
+use super::echoes::Wall;
 use super::tree::{LANES, Middles};
 
 /// Slack on rough angles, radians; greater than twice the error of [`rough_angle`].
@@ -19,12 +20,20 @@ pub(super) struct Sector {
 }
 
 /// Four walls in the frame of a body, metres: one end, and the way to the other.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Walls {
     pub(super) ax: [f64; LANES],
     pub(super) ay: [f64; LANES],
     pub(super) ex: [f64; LANES],
     pub(super) ey: [f64; LANES],
+}
+
+impl Walls {
+    /// The wall of a lane.
+    #[inline(always)]
+    pub(super) fn wall(&self, lane: usize) -> Wall {
+        Wall { ax: self.ax[lane], ay: self.ay[lane], ex: self.ex[lane], ey: self.ey[lane] }
+    }
 }
 
 impl Sector {

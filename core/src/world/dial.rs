@@ -28,8 +28,8 @@ impl Fans {
 
     /// Of four fans of a block those whose bit is set.
     #[inline(always)]
-    pub(super) fn of_block(block: usize, bits: u32) -> Self {
-        Self(u64::from(bits) << (block * LANES))
+    pub(super) fn of_block(block: usize, bits: u64) -> Self {
+        Self(bits << (block * LANES))
     }
 
     /// The fans that are in both sets.

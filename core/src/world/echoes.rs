@@ -103,6 +103,19 @@ impl Echoes {
         nearness
     }
 
+    /// Keeps the nearest of some surfaces along one ray of each fan.
+    #[inline(always)]
+    pub(super) fn keep_nearest_of(
+        &mut self,
+        walls: impl Iterator<Item = Wall>,
+        places: &Fours,
+        rays: &Fours,
+    ) {
+        self.nearness = walls.fold(self.nearness, |nearness, wall| {
+            Scaled::new(wall, places).nearer(rays, &nearness)
+        });
+    }
+
     /// Keeps the nearest surface of each ray, with the incidence there; `echoes` and `rays` go ray by
     /// ray. Gives the least nearness of the rays of each fan.
     #[inline(always)]

@@ -14,6 +14,7 @@ mod echoes;
 mod error;
 #[cfg(test)]
 pub(crate) mod examples;
+mod few;
 mod file;
 pub mod map;
 mod nearest;
@@ -42,6 +43,7 @@ pub use scan::{RayFan, RayRing};
 pub use segments::Segment;
 
 use crate::geometry::{Pose, Vec2};
+use crate::simd::{Level, dispatch};
 use nearest::{NearestBody, NearestPoint};
 use ray::Ray;
 use segments::Segments;
@@ -258,10 +260,10 @@ impl World {
     #[must_use]
     pub(crate) fn surface_distance_m(&self, point: Vec2) -> f64 {
         let mut nearest = NearestPoint::new(point);
-        match self.segments.tree().few_leaves() {
+        dispatch!(Level::new(), _ => match self.segments.tree().few_leaves() {
             Some(leaves) => leaves.iter().for_each(|leaf| nearest.look(leaf)),
             None => self.segments.tree().walk(&mut nearest),
-        }
+        });
         nearest.distance_m()
     }
 

@@ -1,25 +1,25 @@
 //! A ring of fans of rays cast at once: the fast path behind the sonars.
 //!
 //! The work is done in the robot's frame, where origins and directions of all rays are constants:
-//! the ends of each wall are turned into it instead. A ray that leaves the body at angle φ in
+//! the ends of each wall are turned into it instead. In a small world every block of four fans tries
+//! the walls that reach between its outer rays. In a large one, a ray that leaves the body at angle φ in
 //! direction φ + δ stays, seen from the centre, between φ and φ + δ; so a wall that spans an
 //! angle as seen from the centre can be met only by the fans that look there, and only those are
-//! tried, in blocks of four. What is farther than all that these fans still care about is left out,
-//! be it a wall or a box of walls. Both are decided with a margin and can never change a reading.
+//! tried. What is farther than all that these fans still care about is left out,
+//! be it a wall or a box of walls. All that is decided with a margin and can never change a reading.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use wide::f64x4;
-
 use crate::geometry::{Vec2, angle, unit};
-use crate::simd::{Level, dispatch};
+use crate::simd::*;
 
 use super::World;
 use super::bearing::Sector;
 use super::dial::{Dial, Fans, sector_of_fan};
 use super::echoes::{Echoes, Fours, Wall};
+use super::few::{Ahead, FewWalls, Gate};
 use super::segments::{Leaf, SLACK_M, Segments};
-use super::tree::{FEW, LANES, Node, Seeker, lesser};
+use super::tree::{LANES, Node, Seeker, lesser};
 
 /// Where a fan of rays leaves the body and where its middle ray goes, robot frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,6 +46,8 @@ struct Shell {
     places: Vec<Fours>,
     /// Directions of the rays of each block, ray by ray.
     directions: Vec<Fours>,
+    /// What the rays of each block can meet.
+    gates: Vec<Gate>,
     dial: Dial,
     /// Greatest distance of a fan from the centre.
     radius_m: f64,
@@ -62,6 +64,8 @@ struct Heard {
     echoes: Vec<Echoes>,
     /// For each fan of each block, 1 / the distance beyond which nothing matters to it, 1/m.
     least: Vec<[f64; LANES]>,
+    /// The walls of a small world.
+    few: FewWalls,
 }
 
 impl RayRing {
@@ -85,6 +89,12 @@ impl RayRing {
         let directions = blocks.clone().flat_map(|block| {
             offsets_rad.iter().map(|offset| Fours::of(block, |fan| unit(fan.axis_rad + offset)))
         });
+        let gate = |block: &[RayFan]| {
+            let rays = block.iter().flat_map(|fan| {
+                offsets_rad.iter().map(|offset| (fan.place, unit(fan.axis_rad + offset)))
+            });
+            Gate::new(&rays.collect::<Vec<_>>())
+        };
         let half_cone_rad = (0.5 * cone_rad).min(PI);
         let sectors: Vec<_> = fans.iter().map(|fan| sector(fan, half_cone_rad)).collect();
         let shell = Shell {
@@ -92,6 +102,7 @@ impl RayRing {
             rays: offsets_rad.len(),
             places: blocks.map(|block| Fours::of(block, |fan| fan.place)).collect(),
             directions: directions.collect(),
+            gates: fans.chunks(LANES).map(gate).collect(),
             dial: Dial::new(&sectors),
             radius_m: fans.iter().map(|fan| fan.place.norm()).fold(0.0, f64::max),
             range_m,
@@ -100,6 +111,7 @@ impl RayRing {
         let heard = Heard {
             echoes: vec![Echoes::nothing(range_m); shell.places.len() * shell.echoes_per_block()],
             least: vec![[1.0 / range_m; LANES]; shell.places.len()],
+            few: FewWalls::empty(),
         };
         Self { shell, heard }
     }
@@ -120,28 +132,30 @@ impl RayRing {
         readings_m: &mut [f64],
     ) {
         self.heard.clear(self.shell.range_m);
-        let mut listener = Listener {
-            shell: &self.shell,
-            heard: &mut self.heard,
-            position,
-            direction,
-            least: 1.0 / self.shell.range_m,
-        };
+        let (shell, heard) = (&self.shell, &mut self.heard);
+        let least = 1.0 / shell.range_m;
         let tree = segments.tree();
-        match tree.few_leaves() {
-            Some(leaves) => dispatch!(level, _ => listener.look_at_all(leaves)),
-            None => dispatch!(level, _ => tree.walk(&mut listener)),
-        }
+        dispatch!(level, simd => {
+            let mut listener = Listener { simd, shell, heard, position, direction, least };
+            match tree.few_leaves() {
+                Some(leaves) => listener.look_at_all(leaves),
+                None => tree.walk(&mut listener),
+            }
+        });
         self.read(readings_m);
     }
 
     /// The nearest echo of each fan.
+    #[inline(always)]
     fn read(&self, readings_m: &mut [f64]) {
-        let per_block = self.shell.echoes_per_block();
-        for (fan, reading_m) in readings_m.iter_mut().enumerate().take(self.shell.fans) {
-            let first = fan / LANES * per_block;
-            let echoes = &self.heard.echoes[first..first + per_block];
-            *reading_m = self.shell.nearest_m(echoes, fan % LANES);
+        let fans = self.shell.fans.min(readings_m.len());
+        let blocks = self.heard.echoes.chunks_exact(self.shell.echoes_per_block());
+        for (readings_m, echoes) in readings_m[..fans].chunks_mut(LANES).zip(blocks) {
+            let nearest_m = self.shell.nearest_m(echoes);
+            readings_m
+                .iter_mut()
+                .zip(nearest_m)
+                .for_each(|(reading_m, nearest_m)| *reading_m = nearest_m);
         }
     }
 }
@@ -152,12 +166,23 @@ impl Shell {
         if self.least_cosine > 0.0 { self.rays } else { 1 }
     }
 
-    /// Distance of the nearest echo of a fan, metres.
-    fn nearest_m(&self, echoes: &[Echoes], lane: usize) -> f64 {
-        let returned = echoes.iter().filter(|echo| echo.cosine[lane] >= self.least_cosine);
-        let nearness = returned.map(|echo| echo.nearness[lane]);
-        let greatest = nearness.fold(1.0 / self.range_m, |a, b| if b > a { b } else { a });
-        (1.0 / greatest).min(self.range_m)
+    /// Distances of the nearest echoes of the fans of a block, metres.
+    #[inline(always)]
+    fn nearest_m(&self, echoes: &[Echoes]) -> [f64; LANES] {
+        let mut greatest = [1.0 / self.range_m; LANES];
+        for echo in echoes {
+            greatest = std::array::from_fn(|k| {
+                let returns = echo.cosine[k] >= self.least_cosine;
+                let is_nearer = returns & (echo.nearness[k] > greatest[k]);
+                if is_nearer { echo.nearness[k] } else { greatest[k] }
+            });
+        }
+        greatest.map(|nearness| lesser(1.0 / nearness, self.range_m))
+    }
+
+    /// Whether trying a wall costs less than finding out that it does not matter any more.
+    fn is_cheap(&self) -> bool {
+        self.rays == 1 && self.least_cosine == 0.0
     }
 
     /// Lets a block try a wall.
@@ -181,7 +206,8 @@ impl Heard {
 }
 
 /// A ring at work: looks for the nearest echo of every fan.
-struct Listener<'a> {
+struct Listener<'a, S> {
+    simd: S,
     shell: &'a Shell,
     heard: &'a mut Heard,
     position: Vec2,
@@ -190,26 +216,37 @@ struct Listener<'a> {
     least: f64,
 }
 
-impl Listener<'_> {
-    /// Looks at the leaves of a small world, the nearest first, until none matters any more.
+impl<S: Simd> Listener<'_, S> {
+    /// Lets each block try the walls of a small world that it can meet.
     #[inline(always)]
     fn look_at_all(&mut self, leaves: &[Leaf]) {
-        // The last bits of a distance carry the index of its leaf while sorting.
-        const INDEX: u64 = FEW as u64 - 1;
-        let mut order = [0; FEW];
-        for (index, leaf) in leaves.iter().enumerate() {
-            let [a, b, c, d] = leaf.distances2(self.position);
-            let nearest2 = lesser(lesser(a, b), lesser(c, d));
-            order[index] = nearest2.to_bits() & !INDEX | index as u64;
+        let is_cheap = self.shell.is_cheap();
+        self.heard.few.take(leaves, self.position, self.direction, !is_cheap);
+        for (block, gate) in self.shell.gates.iter().enumerate() {
+            let ahead = gate.lets_in(self.simd, &self.heard.few);
+            if is_cheap { self.try_all(block, ahead) } else { self.try_nearest(block, ahead) }
         }
-        let order = &mut order[..leaves.len()];
-        order.sort_unstable();
-        for key in order {
-            let nearest_m = f64::from_bits(*key & !INDEX).sqrt();
-            if self.beyond_shell_m(nearest_m) * self.least > 1.0 {
+    }
+
+    /// Lets a block of fans of one ray try walls.
+    #[inline(always)]
+    fn try_all(&mut self, block: usize, ahead: Ahead) {
+        let (places, rays) = (&self.shell.places[block], &self.shell.directions[block]);
+        let Heard { few, echoes, .. } = &mut *self.heard;
+        echoes[block].keep_nearest_of(ahead.map(|index| few.wall(index)), places, rays);
+    }
+
+    /// Lets a block try walls, the nearest first, until none matters any more.
+    #[inline(always)]
+    fn try_nearest(&mut self, block: usize, ahead: Ahead) {
+        let mut least = 1.0 / self.shell.range_m;
+        for index in ahead {
+            if self.beyond_shell_m(self.heard.few.far_m(index)) * least > 1.0 {
                 break;
             }
-            self.look_at(&leaves[(*key & INDEX) as usize], nearest_m);
+            let wall = self.heard.few.wall(index);
+            self.shell.try_block(self.heard, block, wall);
+            least = self.heard.least[block].into_iter().fold(f64::INFINITY, lesser);
         }
     }
 
@@ -220,9 +257,8 @@ impl Listener<'_> {
         let sectors = Sector::of_walls(&walls);
         let concerned = self.concerned(self.beyond_shell_m(nearest_m));
         for (k, sector) in sectors.into_iter().enumerate().take(leaf.count) {
-            let (ax, ay, ex, ey) = (walls.ax[k], walls.ay[k], walls.ex[k], walls.ey[k]);
             for block in self.shell.dial.fans(sector).and(concerned) {
-                self.shell.try_block(self.heard, block, Wall { ax, ay, ex, ey });
+                self.shell.try_block(self.heard, block, walls.wall(k));
             }
         }
         let least = self.heard.least.iter().fold([f64::INFINITY; LANES], |least, four| {
@@ -240,16 +276,17 @@ impl Listener<'_> {
     /// The fans to which something so far away may still matter.
     #[inline(always)]
     fn concerned(&self, far_m: f64) -> Fans {
-        let far_m = f64x4::splat(far_m);
+        let splat = |value| f64x4::splat(self.simd, value);
+        let (far_m, one) = (splat(far_m), splat(1.0));
         let blocks = self.heard.least.iter().enumerate();
         blocks.fold(Fans::default(), |fans, (block, least)| {
-            let within = (far_m * f64x4::new(*least)).simd_le(f64x4::ONE);
+            let within = (far_m * f64x4::simd_from(self.simd, *least)).simd_le(one);
             fans.or(Fans::of_block(block, within.to_bitmask()))
         })
     }
 }
 
-impl Seeker for Listener<'_> {
+impl<S: Simd> Seeker for Listener<'_, S> {
     /// The fans that look towards a box.
     type Note = Fans;
 
