@@ -65,7 +65,7 @@ crate::settings! {
         sigma_scale: f64 = 0.05, "learner.sigma_scale" [0.0, 1.0] "", Deviation, "D1; Eq. (5.14)", "Share of σ that is used; 1 is literal";
         deviation: Deviation = Deviation::Half, "learner.sigma_reading" "", Reading, "Eq. (5.12)", "Standard deviation of the draw for a given σ";
         draw: Draw = Draw::Step, "learner.draw" "", Literal, "Algorithm 9", "How long a draw of the stochastic unit holds";
-        first_action: FirstAction = FirstAction::Inherit, "learner.new_neuron" "", Deviation, "D2; section 5.7", "Where the first action of a new neuron comes from";
+        first_action: FirstAction = FirstAction::Pursue, "learner.new_neuron" "", Deviation, "D2; section 5.7", "Where the first action of a new neuron comes from";
         inherit_radius: f64 = 5.0, "learner.inherit_radius" [0.0, 100.0] "ς", Deviation, "D2, tuned", "Greatest distance of the neuron copied from, in receptive fields";
         forget_unrecorded: bool = true, "learner.forget_unrecorded" "", Deviation, "D3; section 5.9", "Delete the neurons born in a trial that set no record";
         after_rescue: AfterRescue = AfterRescue::Reflex, "learner.after_rescue" "", Addition, "D5; Algorithm 9", "Who chooses the step after a collision";

@@ -277,6 +277,7 @@ impl Learner {
             goal_bearing_rad: situation.bearing_rad,
             winner: None,
             born: None,
+            origin: None,
             reflex: Some(reflex),
             adaptation: Adaptation::Off,
             neuron: None,
@@ -322,6 +323,7 @@ impl Learner {
                 neuron: acting.neuron,
                 distance: squared.sqrt(),
             }),
+            origin: born.and_then(|born| self.origin_of(acting.network, born)),
             born,
             reflex,
             adaptation,
@@ -437,6 +439,10 @@ impl Learner {
         let Heritage { prototypical_rad, mean_deg, aim, .. } = heritage;
         let start = Start { prototypical_rad, mean_deg, aim, utility: now.total() };
         self.add(situation.network, situation.input, start, birth)
+    }
+
+    fn origin_of(&self, network: usize, neuron: NeuronId) -> Option<Origin> {
+        self.memory.networks[network].get(neuron).map(|neuron| neuron.birth.origin)
     }
 
     fn birth(&self, cause: BirthCause, origin: Origin, pose: Pose) -> Birth {

@@ -1,6 +1,6 @@
 //! What goes into the learner and what comes out of it.
 
-use super::{ActionSource, Adaptation, Aim, Exploration, NeuronId, Reinforcement, Winner};
+use super::{ActionSource, Adaptation, Aim, Exploration, NeuronId, Origin, Reinforcement, Winner};
 use crate::control::ReflexTrace;
 use crate::geometry::Pose;
 use crate::robot::{Contact, Readings};
@@ -29,6 +29,8 @@ pub struct Decision {
     pub winner: Option<Winner>,
     /// The neuron added at this situation, if any.
     pub born: Option<NeuronId>,
+    /// Where the action of that neuron came from.
+    pub origin: Option<Origin>,
     /// The reflex, when it was asked.
     pub reflex: Option<ReflexTrace>,
     /// What happened to the past neuron.

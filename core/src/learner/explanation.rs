@@ -55,8 +55,15 @@ pub enum BirthCause {
 pub enum Origin {
     /// The fuzzy reflex was asked (the thesis).
     Reflex,
-    /// Copied: from the nearest neuron of the same network (deviation D2), from the neuron before it
-    /// on a shortcut, or from the one in charge where the shortcut ends (addition A2).
+    /// Towards a place of the record path (deviation D2).
+    Pursuit {
+        /// The place, metres.
+        x_m: f64,
+        /// The place, metres.
+        y_m: f64,
+    },
+    /// Copied: from the neuron before it on a shortcut, or from the one in charge where the shortcut ends
+    /// (addition A2); or from the nearest neuron of the same network (setting `learner.new_neuron`).
     Inherited {
         /// The neuron copied from.
         parent: NeuronId,

@@ -18,6 +18,9 @@ pub struct Memory {
     /// The first trial that reached the goal, from 1.
     #[serde(default)]
     pub(super) first_success: Option<u32>,
+    /// Where the steps of the record trial were decided, metres.
+    #[serde(default)]
+    pub(super) record_m: Vec<[f64; 2]>,
     /// Trials done.
     pub(super) trials: u32,
     /// Ticks done.
@@ -33,6 +36,7 @@ impl Memory {
             temperature_deg: annealing::initial(settings),
             best: None,
             first_success: None,
+            record_m: Vec::new(),
             trials: 0,
             ticks: 0,
         }

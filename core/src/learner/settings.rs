@@ -18,6 +18,7 @@ crate::choice! {
 crate::choice! {
     /// Where the first action of a new neuron comes from.
     pub enum FirstAction {
+        Pursue = "pursue": "the next place of the record path, once a trial has succeeded; else the reflex",
         Inherit = "inherit": "action and mean of the nearest neuron of the network, once a trial has succeeded; else the reflex",
         InheritAction = "inherit-action": "action of the nearest neuron, mean 0",
         Reflex = "reflex": "always the reflex, as printed",

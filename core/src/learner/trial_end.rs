@@ -107,6 +107,10 @@ fn replacement_order(settings: &LearnerSettings, steps: usize) -> Box<dyn Iterat
 
 fn replace(settings: &LearnerSettings, memory: &mut Memory, path: &[PathStep]) -> Vec<Change> {
     let mut changes = Vec::new();
+    if settings.replacement != Replacement::Off {
+        // D2: what a new neuron goes back to is kept with the actions.
+        memory.record_m = path.iter().map(|step| [step.pose.x_m, step.pose.y_m]).collect();
+    }
     for t in replacement_order(settings, path.len()) {
         let step = &path[t];
         if let Some(neuron) = memory.networks[step.network].get_mut(step.neuron) {

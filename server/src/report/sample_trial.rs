@@ -65,6 +65,7 @@ fn tick(trial: &Trial, step: u32) -> TickView {
         winner: (step > 1)
             .then(|| WinnerView { neuron: 40 + step, distance: 0.031 + 0.004 * turn }),
         born: step.is_multiple_of(4).then_some(60 + step),
+        toward_m: step.is_multiple_of(8).then_some([1.5, -0.25]),
         reflex: None,
         adaptation: adaptation(step),
         neuron: Some(40 + step),
@@ -136,6 +137,7 @@ fn neuron(id: u32) -> NeuronView {
             cause: "distance".into(),
             value: Some(0.13),
             parent: None,
+            toward_m: None,
             pose: PoseView::default(),
         },
     }

@@ -198,7 +198,8 @@ fn delta(adaptation: &AdaptationView) -> String {
 fn happenings(tick: &TickView) -> String {
     let mut words = Vec::new();
     if let Some(born) = tick.born {
-        words.push(format!("+ neuron {born}"));
+        let toward = tick.toward_m.map(|[x, y]| format!(" for ({x:.2}, {y:.2})"));
+        words.push(format!("+ neuron {born}{}", toward.unwrap_or_default()));
     }
     if let AdaptationView::Split { added, past, .. } = &tick.adaptation {
         words.push(format!("+ neuron {added} (split {past})"));

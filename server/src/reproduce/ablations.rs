@@ -53,6 +53,10 @@ const ARMS: &[Arm] = &[
     Arm { name: "R1: rotations stored", settings: &[("learner.action_frame", "rotation")] },
     Arm { name: "D1: whole σ", settings: &[("learner.sigma_scale", "1")] },
     Arm { name: "D2: new neurons ask the reflex", settings: &[("learner.new_neuron", "reflex")] },
+    Arm {
+        name: "D2: new neurons copy their neighbour",
+        settings: &[("learner.new_neuron", "inherit")],
+    },
     Arm { name: "D3: nothing forgotten", settings: &[("learner.forget_unrecorded", "false")] },
     Arm { name: "D4: always exploring", settings: &[("learner.exploit_from", "0")] },
     Arm { name: "D5: no reflex after a rescue", settings: &[("learner.after_rescue", "network")] },

@@ -54,6 +54,7 @@ impl Names {
             region: self.region(tick.region),
             winner: decision.winner.map(WinnerView::from),
             born: number(decision.born),
+            toward_m: decision.origin.and_then(toward_m),
             reflex: decision.reflex.as_ref().map(ReflexView::from),
             adaptation: decision.adaptation.into(),
             neuron: number(decision.neuron),
@@ -271,7 +272,7 @@ impl From<&Birth> for BirthView {
             BirthCause::Rescue => ("rescue", None),
         };
         let parent = match birth.origin {
-            Origin::Reflex => None,
+            Origin::Reflex | Origin::Pursuit { .. } => None,
             Origin::Inherited { parent } => Some(parent.0),
         };
         Self {
@@ -281,8 +282,17 @@ impl From<&Birth> for BirthView {
             cause: cause.to_owned(),
             value,
             parent,
+            toward_m: toward_m(birth.origin),
             pose: birth.pose.into(),
         }
+    }
+}
+
+/// The place of the record path that the first action of a neuron makes for.
+fn toward_m(origin: Origin) -> Option<[f64; 2]> {
+    match origin {
+        Origin::Pursuit { x_m, y_m } => Some([x_m, y_m]),
+        Origin::Reflex | Origin::Inherited { .. } => None,
     }
 }
 

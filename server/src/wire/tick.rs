@@ -44,6 +44,9 @@ pub struct TickView {
     pub winner: Option<WinnerView>,
     /// Neuron added at this situation.
     pub born: Option<u32>,
+    /// Place of the record path that the action of that neuron makes for, metres (D2).
+    #[serde(default)]
+    pub toward_m: Option<[f64; 2]>,
     /// The reflex, when it was asked, Eq. (5.8).
     pub reflex: Option<ReflexView>,
     /// What happened to the past neuron, section 5.9.
@@ -228,8 +231,12 @@ pub struct BirthView {
     pub cause: String,
     /// The distance or the TD error that caused it.
     pub value: Option<f64>,
-    /// Neuron its action was copied from; none when the reflex was asked.
+    /// Neuron its action was copied from.
     pub parent: Option<u32>,
+    /// Place of the record path that its action made for, metres (D2); with no parent either, the reflex was
+    /// asked.
+    #[serde(default)]
+    pub toward_m: Option<[f64; 2]>,
     /// Believed pose at that moment.
     pub pose: PoseView,
 }

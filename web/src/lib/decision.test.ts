@@ -26,6 +26,15 @@ describe('a decision in words', () => {
       'Neuron 17 was nearest in the room but too far (distance 0.24 > 0.10), so neuron 18 was added; its action was copied',
       { winner: { neuron: 17, distance: 0.24 }, born: 18, neuron: 18 },
     ],
+    [
+      'Neuron 17 was nearest in the room but too far (distance 0.24 > 0.10), so neuron 18 was added; it makes for (1.50, −0.25) of the record path',
+      {
+        winner: { neuron: 17, distance: 0.24 },
+        born: 18,
+        neuron: 18,
+        toward_m: [1.5, -0.25],
+      },
+    ],
     ['A rescue forced neuron 18 in the room, beside neuron 17', { born: 18, neuron: 18 }],
     ['No neuron is in charge in the room: learning is off', { winner: null, neuron: null }],
   ])('tells growth: %s', (sentence, changes) => {

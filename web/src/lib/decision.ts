@@ -2,7 +2,7 @@
 
 import { count, degrees, metres, number, signed, words } from './format';
 import { bearingWords, nearest } from './polar';
-import type { AimView, NeuronView, TickView } from './protocol';
+import type { AimView, BirthView, NeuronView, TickView } from './protocol';
 import type { Value } from './settings';
 
 /** The session's settings by key. */
@@ -24,7 +24,7 @@ export function novelty(distance: number, settings: Settings): { value: number; 
 
 /** Why a neuron was added, from its birth certificate. */
 export function birthWords(neuron: NeuronView): string {
-  const { cause, value, parent } = neuron.birth;
+  const { cause, value } = neuron.birth;
   const figure = value === null ? '' : number(value, 3);
   const why: Record<string, string> = {
     empty: 'the region had no neuron yet',
@@ -32,9 +32,16 @@ export function birthWords(neuron: NeuronView): string {
     error: `the TD error was too large (${figure})`,
     rescue: 'a rescue forced a new neuron',
   };
-  const origin = parent === null ? 'from the reflex' : `copied from neuron ${parent}`;
-  return `Added because ${why[cause] ?? cause}; action ${origin}`;
+  return `Added because ${why[cause] ?? cause}; action ${firstAction(neuron.birth)}`;
 }
+
+/** Where the first action of a neuron came from. */
+export function firstAction({ parent, toward_m }: BirthView): string {
+  if (toward_m) return `for ${point(toward_m)} of the record path`;
+  return parent === null ? 'from the reflex' : `copied from neuron ${parent}`;
+}
+
+const point = ([x, y]: [number, number]) => `(${number(x)}, ${number(y)})`;
 
 function situation(tick: TickView, settings: Settings): string {
   const place = `in the ${words(tick.region)}`;
@@ -48,7 +55,11 @@ function situation(tick: TickView, settings: Settings): string {
   if (tick.born === null) return `Neuron ${neuron} won ${place} (${sign} ${against('≤')})`;
   if (value <= width)
     return `A rescue forced neuron ${tick.born} ${place}, beside neuron ${neuron}`;
-  const origin = tick.reflex ? 'the reflex gave its action' : 'its action was copied';
+  const origin = tick.toward_m
+    ? `it makes for ${point(tick.toward_m)} of the record path`
+    : tick.reflex
+      ? 'the reflex gave its action'
+      : 'its action was copied';
   return `Neuron ${neuron} was nearest ${place} but too far (${sign} ${against('>')}), so neuron ${tick.born} was added; ${origin}`;
 }
 

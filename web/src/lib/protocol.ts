@@ -332,6 +332,8 @@ region: string,
 winner: WinnerView | null,
 /** Neuron added at this situation. */
 born: number | null,
+/** Place of the record path that the action of that neuron makes for, metres (D2). */
+toward_m: [number, number] | null,
 /** The reflex, when it was asked, Eq. (5.8). */
 reflex: ReflexView | null,
 /** What happened to the past neuron, section 5.9. */
@@ -486,8 +488,11 @@ tick: number,
 cause: string,
 /** The distance or the TD error that caused it. */
 value: number | null,
-/** Neuron its action was copied from; none when the reflex was asked. */
+/** Neuron its action was copied from. */
 parent: number | null,
+/** Place of the record path that its action made for, metres (D2); with no parent either, the reflex was
+ * asked. */
+toward_m: [number, number] | null,
 /** Believed pose at that moment. */
 pose: PoseView, };
 

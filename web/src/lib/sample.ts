@@ -27,6 +27,7 @@ export function sampleTick(changes: Partial<TickView> = {}): TickView {
     region: 'room',
     winner: { neuron: 17, distance: 0.08 },
     born: null,
+    toward_m: null,
     reflex: null,
     adaptation: {
       kind: 'updated',
@@ -110,7 +111,16 @@ export function sampleNeuron(id: number, x_m: number, y_m: number): NeuronView {
     mean_deg: 0,
     utility: -1,
     wins: 1,
-    birth: { trial: 1, step: id, tick: id, cause: 'distance', value: 0.14, parent: null, pose },
+    birth: {
+      trial: 1,
+      step: id,
+      tick: id,
+      cause: 'distance',
+      value: 0.14,
+      parent: null,
+      toward_m: null,
+      pose,
+    },
   };
 }
 

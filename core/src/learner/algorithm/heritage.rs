@@ -2,7 +2,7 @@
 
 use super::{Acting, Learner, Situation};
 use crate::control::ReflexTrace;
-use crate::geometry::{angle, unit, wrap_angle};
+use crate::geometry::{Vec2, angle, unit, wrap_angle};
 use crate::learner::echoes::SLACK_M;
 use crate::learner::trial_end::PathStep;
 use crate::learner::{Aim, Carry, FirstAction, Neuron, NeuronId, Origin};
@@ -33,7 +33,7 @@ impl Heritage {
 impl Learner {
     /// NOTE (D2): the thesis always asks the reflex. Off the stored path every situation is new, so
     /// the reflex would pull each excursion back; a new neuron carries on the shortcut under way (A2),
-    /// else continues what its neighbour does.
+    /// else goes back to the record path.
     pub(super) fn heritage(
         &self,
         situation: &Situation<'_>,
@@ -42,12 +42,11 @@ impl Learner {
     ) -> Heritage {
         if self.may_inherit(situation) {
             let shortcut = self.path.last().and_then(|past| self.carry_on(situation, past));
-            let neighbour = || {
-                let heritage = nearest.and_then(|nearest| self.neighbour(nearest))?;
-                let heading_rad = wrap_angle(heritage.prototypical_rad + situation.frame_rad);
-                self.has_room(situation, heading_rad).then_some(heritage)
+            let other = || match self.settings.first_action {
+                FirstAction::Pursue => self.pursue(situation),
+                _ => self.neighbour(situation, nearest?),
             };
-            if let Some(heritage) = shortcut.or_else(neighbour) {
+            if let Some(heritage) = shortcut.or_else(other) {
                 return heritage;
             }
         }
@@ -118,16 +117,40 @@ impl Learner {
         [0.5, 1.0].iter().all(|share| echoes.clearance_m(here + step * *share) >= asked_m)
     }
 
-    /// D2: the nearest neuron of the network, if it is near enough.
-    fn neighbour(&self, (nearest, squared): &(Acting, f64)) -> Option<Heritage> {
+    /// D2: after the record path (pure pursuit), that is to where the step after its nearest place was
+    /// decided; to the goal after the last.
+    fn pursue(&self, situation: &Situation<'_>) -> Option<Heritage> {
+        let here = situation.observation.pose.position();
+        let squared = |place: &[f64; 2]| (Vec2::from(*place) - here).norm_squared();
+        let record_m = self.memory.record_m.iter().enumerate();
+        let (nearest, _) = record_m.min_by(|a, b| squared(a.1).total_cmp(&squared(b.1)))?;
+        let next = self.memory.record_m.get(nearest + 1).map_or(self.goal, |place| (*place).into());
+        Some(Heritage {
+            origin: Origin::Pursuit { x_m: next.x, y_m: next.y },
+            prototypical_rad: wrap_angle(angle(next - here) - situation.frame_rad),
+            mean_deg: 0.0,
+            aim: None,
+        })
+    }
+
+    /// The nearest neuron of the network, if it is near enough and what it does leaves room.
+    fn neighbour(
+        &self,
+        situation: &Situation<'_>,
+        (nearest, squared): &(Acting, f64),
+    ) -> Option<Heritage> {
         let radius = self.settings.inherit_radius * self.settings.novelty;
         if self.settings.novelty_metric.of(*squared) > radius {
             return None;
         }
         let heritage = Heritage::of(self.memory.networks[nearest.network].get(nearest.neuron)?);
+        let heading_rad = wrap_angle(heritage.prototypical_rad + situation.frame_rad);
+        if !self.has_room(situation, heading_rad) {
+            return None;
+        }
         Some(match self.settings.first_action {
-            FirstAction::Inherit => heritage,
-            _ => Heritage { mean_deg: 0.0, aim: None, ..heritage },
+            FirstAction::InheritAction => Heritage { mean_deg: 0.0, aim: None, ..heritage },
+            _ => heritage,
         })
     }
 }

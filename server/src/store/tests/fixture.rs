@@ -154,6 +154,7 @@ pub(super) fn tick(n: u64) -> TickView {
         region: "hall".into(),
         winner: Some(WinnerView { neuron: 1, distance: number(n, 8) }),
         born: n.is_multiple_of(3).then_some(2),
+        toward_m: n.is_multiple_of(6).then(|| [number(n, 41), -0.0]),
         reflex: None,
         adaptation: AdaptationView::Pending { past: 1 },
         neuron: Some(1),
