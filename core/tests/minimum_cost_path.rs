@@ -3,8 +3,10 @@
 use std::sync::Arc;
 
 use sonarium_core::experiment::{Checkpoint, MinimumCostPath, Settings};
-use sonarium_core::geometry::{angle, wrap_angle};
-use sonarium_core::learner::{ActionSource, Adaptation, BirthCause, Tick, TrialEnd, TrialRecord};
+use sonarium_core::geometry::{Vec2, angle, wrap_angle};
+use sonarium_core::learner::{
+    ActionSource, Adaptation, BirthCause, Origin, Tick, TrialEnd, TrialRecord,
+};
 use sonarium_core::robot::{Contact, Robot, RobotFile};
 use sonarium_core::settings::Value;
 use sonarium_core::world::{World, WorldFile};
@@ -93,7 +95,8 @@ fn a_run_resumed_from_any_trial_goes_on_to_the_same_bits() {
     let mut whole = MinimumCostPath::new(Arc::clone(&world), b21(), &settings, 5).expect("fits");
     let mut ticks = Vec::new();
     let mut checkpoints: Vec<Checkpoint> = Vec::new();
-    while whole.trials_done() < 8 {
+    // Trials 9 to 12 are those of scouts, with what was learned before laid aside.
+    while whole.trials_done() < 13 {
         let (tick, end) = whole.step();
         let ended = end.is_some();
         ticks.push(tick.clone());
@@ -107,7 +110,7 @@ fn a_run_resumed_from_any_trial_goes_on_to_the_same_bits() {
             MinimumCostPath::resume(Arc::clone(&world), b21(), &settings, 5, &read).expect("fits");
         let from = read.tick() as usize;
         let mut rest = Vec::new();
-        run(&mut resumed, 8, |tick, _| rest.push(tick.clone()));
+        run(&mut resumed, 13, |tick, _| rest.push(tick.clone()));
         assert_eq!(rest, ticks[from..], "resumed after trial {}", read.trials_done());
     }
 }
@@ -196,6 +199,109 @@ fn successes(world: &Arc<World>, settings: &Settings, seed: u64, trials: u32) ->
         MinimumCostPath::new(Arc::clone(world), b21(), settings, seed).expect("fits");
     let records = run(&mut experiment, trials, |_, _| {});
     records.iter().filter(|trial| trial.reached_goal).count()
+}
+
+/// Mean total reinforcement in the last of 20 trials in a world.
+fn mean_total(name: &str, settings: &Settings, seeds: std::ops::Range<u64>) -> f64 {
+    let world = world(name);
+    let totals = seeds.map(|seed| {
+        let experiment = MinimumCostPath::new(Arc::clone(&world), b21(), settings, seed);
+        let records = run(&mut experiment.expect("fits"), 20, |_, _| {});
+        records.last().expect("20 trials").total_reinforcement
+    });
+    let totals: Vec<f64> = totals.collect();
+    totals.iter().sum::<f64>() / totals.len() as f64
+}
+
+#[test]
+fn a_scout_finds_the_way_between_two_obstacles() {
+    let without = with(&[("learner.scout_from", Value::Integer(0))]);
+    let seeds = 45_000..45_010;
+    let (alone, found) = (
+        mean_total("two-obstacles", &without, seeds.clone()),
+        mean_total("two-obstacles", &Settings::default(), seeds),
+    );
+    // The planner's way costs 4.93, and the way round both obstacles that is found without scouts a third more.
+    assert!(alone < -6.3, "without scouts {alone}");
+    assert!(found > -6.0, "with scouts {found}");
+}
+
+#[test]
+fn a_scout_that_searches_too_long_goes_back_to_the_record_path() {
+    let mut experiment =
+        MinimumCostPath::new(laboratory(), b21(), &Settings::default(), 13).expect("fits");
+    let (mut scouted, mut followed) = (Vec::new(), Vec::new());
+    let mut record = (0, f64::NEG_INFINITY);
+    let trials = run(&mut experiment, 12, |tick, end| {
+        match tick.decision.source {
+            ActionSource::Scout => scouted.push((tick.trial, tick.step)),
+            _ if tick.trial == 11 => followed.push(tick.step),
+            _ => {}
+        }
+        if let Some(end) = end.filter(|end| end.record.record) {
+            let total = end.record.total_reinforcement;
+            assert!(total > record.1, "trial {} is no record", end.record.trial);
+            record = (end.record.steps, total);
+        }
+    });
+    assert!(scouted.iter().all(|(trial, _)| [9, 11].contains(trial)), "{scouted:?}");
+    let scouts: Vec<u32> =
+        trials.iter().filter(|trial| trial.scout).map(|trial| trial.trial).collect();
+    assert_eq!(scouts, [9, 11]);
+    // To the right the way leads round the whole room; the scout gives up and something else decides.
+    let last = scouted.iter().filter(|(trial, _)| *trial == 11).map(|(_, step)| *step).max();
+    let last = last.expect("the second scout set out");
+    assert!(last <= 3 * record.0 / 2 && followed.iter().all(|step| *step > last), "{last}");
+    assert!(trials[10].reached_goal && trials[10].steps > last && !trials[10].record);
+    // What was learned before is there again.
+    assert!((trials[11].total_reinforcement - record.1).abs() < 1.5, "{:?}", trials[11]);
+}
+
+#[test]
+fn new_neurons_go_back_to_the_record_path() {
+    let drift = ("odometry.drift", Value::Number(0.02));
+    let pursue = with(&[drift.clone(), ("learner.scout_from", Value::Integer(0))]);
+    let mut experiment = MinimumCostPath::new(laboratory(), b21(), &pursue, 14).expect("fits");
+    let (mut path, mut record) = (Vec::new(), Vec::new());
+    let mut pursued = 0;
+    run(&mut experiment, 20, |tick, end| {
+        let here = tick.pose.position();
+        path.push(here);
+        if let Some(Origin::Pursuit { x_m, y_m }) = tick.decision.origin {
+            let nearest = |a: &&Vec2, b: &&Vec2| {
+                let away = |place: &Vec2| (place - here).norm();
+                away(a).total_cmp(&away(b))
+            };
+            let at = record
+                .iter()
+                .min_by(nearest)
+                .and_then(|near| record.iter().position(|p| p == near));
+            let next = record.get(at.expect("a record path") + 1);
+            let next = next.copied().unwrap_or_else(|| laboratory().goal().centre);
+            assert_eq!([x_m, y_m], [next.x, next.y], "tick {}", tick.tick);
+            let way_rad = angle(next - here);
+            let off_rad = wrap_angle(tick.decision.prototypical_rad - way_rad);
+            assert!(off_rad.abs() < 1e-9, "tick {}", tick.tick);
+            pursued += 1;
+        }
+        if let Some(end) = end {
+            let path = std::mem::take(&mut path);
+            if end.record.record {
+                record = path;
+            }
+        }
+    });
+    assert!(pursued > 10, "{pursued} new neurons went back");
+    // It pays under drift, where a replay leaves the path.
+    let copy = with(&[
+        drift,
+        ("learner.scout_from", Value::Integer(0)),
+        ("learner.new_neuron", choice("inherit")),
+    ]);
+    let seeds = 46_000..46_030;
+    let (held, lost) =
+        (mean_total("laboratory", &pursue, seeds.clone()), mean_total("laboratory", &copy, seeds));
+    assert!(held > lost + 0.2, "pursuing {held}, copying {lost}");
 }
 
 #[test]

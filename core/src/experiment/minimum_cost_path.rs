@@ -410,7 +410,7 @@ impl MinimumCostPath {
         let memory = self.learner.memory();
         let trial = memory.trials() + 1;
         let temperature_deg = self.learner.temperature_deg();
-        let born = self.learner.born() as u32;
+        let (born, scout) = (self.learner.born() as u32, self.learner.is_scouting());
         let next = stream(self.seed, trial, Purpose::Exploration);
         let changes = self.learner.end_trial(reached_goal, next);
         let tally = std::mem::take(&mut self.tally);
@@ -426,6 +426,7 @@ impl MinimumCostPath {
             collisions: tally.collisions,
             reached_goal,
             record: changes.record,
+            scout,
             temperature_deg,
             path_m: tally.path_m,
             region_steps: tally.region_steps,

@@ -90,6 +90,7 @@ crate::settings! {
         shortcut_bend_gain: f64 = 0.1, "shortcut.bend_gain" [0.0, 10.0] "", Addition, "A3, tuned", "Reinforcement that a bend must promise over the best straight way";
         sidestep_m: f64 = 0.15, "learner.sidestep" [0.0, 1.0] "m", Addition, "A4; the clearance at which a rescue ends", "Clearance of the next step below which it is turned aside, once a trial has succeeded; 0: never";
         escape_after: u32 = 25, "learner.escape_after" [0.0, 100_000.0] "", Addition, "A5, tuned", "Steps without coming nearer to the goal after which the robot follows the obstacle; 0: never";
+        scout_from: u32 = 9, "learner.scout_from" [0.0, 100_000.0] "trial", Addition, "A6, tuned", "Trial in which the first of two scouts looks for another way, the second two trials later, once a trial has succeeded; 0: none";
     }
 }
 

@@ -105,6 +105,8 @@ pub struct Learner {
     /// The last draw in this trial, and the neuron it was drawn for.
     drawn: Option<(NeuronId, f64)>,
     escape: Escape,
+    /// A scout set out in this trial.
+    scout: bool,
     step: u32,
 }
 
@@ -135,6 +137,7 @@ impl Learner {
         memory: Memory,
         rng: ChaCha8Rng,
     ) -> Self {
+        let scout = memory.scout_turns_left().is_some();
         Self {
             settings,
             robot,
@@ -149,6 +152,7 @@ impl Learner {
             waiting: None,
             drawn: None,
             escape: Escape::default(),
+            scout,
             step: 0,
         }
     }
@@ -177,6 +181,12 @@ impl Learner {
         self.born.len()
     }
 
+    /// Whether a scout set out in this trial (addition A6).
+    #[must_use]
+    pub fn is_scouting(&self) -> bool {
+        self.scout
+    }
+
     /// Heading that a neuron's prototypical action meant where it was born, radians.
     #[must_use]
     pub fn heading_of(&self, neuron: &Neuron) -> f64 {
@@ -187,6 +197,11 @@ impl Learner {
     pub fn decide(&mut self, observation: &Observation) -> Decision {
         self.step += 1;
         self.memory.ticks += 1;
+        if self.memory.has_scouted_enough(self.step) {
+            self.memory.stop_scouting();
+            self.escape = Escape::default();
+            self.past = None;
+        }
         let situation = self.situate(observation);
         if self.settings.learning {
             self.act_from_network(&situation)
@@ -221,12 +236,17 @@ impl Learner {
             &self.born,
             reached_goal,
         );
+        changes.record &= self.memory.holds_the_record();
         changes.recentred = std::mem::take(&mut self.recentred);
         changes.recentred.sort_unstable();
         changes.recentred.dedup();
         self.memory.temperature_deg =
             annealing::cooled(&self.settings, self.memory.temperature_deg);
         self.memory.trials += 1;
+        if self.settings.learning {
+            self.memory.scout(&self.settings);
+        }
+        self.scout = self.memory.scout_turns_left().is_some();
         self.rng = rng;
         self.past = None;
         self.waiting = None;
@@ -347,9 +367,11 @@ impl Learner {
         exploration: &mut Exploration,
         reflex: &mut Option<ReflexTrace>,
     ) -> (f64, ActionSource) {
-        if let Some(heading_rad) = self.escape(situation) {
+        let left = self.memory.scout_turns_left();
+        if let Some(heading_rad) = self.escape(situation, left) {
             exploration.xi_deg = 0.0;
-            return (wrap_angle(heading_rad - situation.frame_rad), ActionSource::Escape);
+            let source = left.map_or(ActionSource::Escape, |_| ActionSource::Scout);
+            return (wrap_angle(heading_rad - situation.frame_rad), source);
         }
         // NOTE (D5): Algorithm 9 rescues the robot and lets the same winner try the same way again; here
         // the step after a rescue is the reflex's.

@@ -100,6 +100,8 @@ pub enum ActionSource {
     Sidestep,
     /// Along an obstacle, because the robot came no nearer to the goal (addition A5).
     Escape,
+    /// A scout's step: for the goal, or along an obstacle (addition A6).
+    Scout,
 }
 
 /// The stochastic unit at work, Eq. (5.12)-(5.16). Degrees, as the thesis counts them.
@@ -254,6 +256,8 @@ pub struct TrialRecord {
     pub reached_goal: bool,
     /// `R(n)` exceeded that of every earlier successful trial.
     pub record: bool,
+    /// A scout set out in it (addition A6).
+    pub scout: bool,
     /// `T(n)` during the trial, degrees.
     pub temperature_deg: f64,
     /// Length of the true path, metres.

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::scout::Scouting;
 use super::{Aim, Birth, Input, LearnerSettings, Network, Neuron, NeuronId, annealing};
 
 /// All that outlives a trial: the networks and what steers them.
@@ -21,6 +22,9 @@ pub struct Memory {
     /// Where the steps of the record trial were decided, metres.
     #[serde(default)]
     pub(super) record_m: Vec<[f64; 2]>,
+    /// What is laid aside while a scout looks for another way (addition A6).
+    #[serde(default)]
+    pub(super) scouting: Option<Scouting>,
     /// Trials done.
     pub(super) trials: u32,
     /// Ticks done.
@@ -37,6 +41,7 @@ impl Memory {
             best: None,
             first_success: None,
             record_m: Vec::new(),
+            scouting: None,
             trials: 0,
             ticks: 0,
         }

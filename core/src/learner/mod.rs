@@ -26,6 +26,7 @@ mod input;
 mod memory;
 mod network;
 mod reward;
+mod scout;
 mod settings;
 mod shortcut;
 mod sketch;

@@ -67,7 +67,7 @@ const fn column<Row>(
     Column { name, meaning, value }
 }
 
-const TRIAL_COLUMNS: [Column<Trial>; 16] = [
+const TRIAL_COLUMNS: [Column<Trial>; 17] = [
     column("trial", "trial, from 1", |t| t.trial.to_string()),
     column("reached_goal", "true, or false when the trial was capped", |t| {
         t.reached_goal.to_string()
@@ -90,6 +90,7 @@ const TRIAL_COLUMNS: [Column<Trial>; 16] = [
     column("path_m", "length of the true path", |t| t.path_m.to_string()),
     column("first_tick", "first tick of the trial", |t| t.first_tick.to_string()),
     column("last_tick", "last tick of the trial", |t| t.last_tick.to_string()),
+    column("scout", "a scout set out in it (A6)", |t| t.scout.to_string()),
 ];
 
 const TICK_COLUMNS: [Column<TickView>; 47] = [
@@ -118,7 +119,9 @@ const TICK_COLUMNS: [Column<TickView>; 47] = [
     column("reflex_rotation_deg", "rotation of the reflex, when it was asked", |t| {
         optional(t.reflex.map(|reflex| reflex.rotation_deg))
     }),
-    column("source", "network, reflex, after-rescue, sidestep or escape", |t| t.source.clone()),
+    column("source", "network, reflex, after-rescue, sidestep, escape or scout", |t| {
+        t.source.clone()
+    }),
     column("neuron", "neuron in charge", |t| optional(t.neuron)),
     column("utility", "its utility u", |t| optional(t.utility)),
     column("prototypical_deg", "its prototypical action p", |t| t.prototypical_deg.to_string()),

@@ -87,6 +87,7 @@ pub(super) fn trials() -> Vec<Trial> {
             collisions,
             reached_goal,
             record,
+            scout: number == 9,
             temperature_deg: if number < 16 {
                 10.0 + 90.0 * 0.8f64.powi(number as i32 - 1)
             } else {

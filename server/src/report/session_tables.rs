@@ -44,6 +44,7 @@ fn trial_row(trial: &Trial, best: Option<u32>) -> Markup {
         (true, false) => "reached",
         (false, _) => "not reached",
     };
+    let outcome = if trial.scout { format!("{outcome} (scout)") } else { outcome.to_owned() };
     let defined = |text: String| if trial.reached_goal { text } else { format!("({text})") };
     html! {
         tr class=[class] {

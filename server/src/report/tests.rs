@@ -171,7 +171,7 @@ fn trials_csv_reads_back_to_the_same_bits() {
     let text = csv(&report);
     let table = cells(&text);
     assert_eq!(table.len(), 1 + 20);
-    assert!(table.iter().all(|row| row.len() == 16 + 4), "16 columns and 4 regions");
+    assert!(table.iter().all(|row| row.len() == 17 + 4), "17 columns and 4 regions");
     let columns: [Column<Trial>; 5] = [
         ("temperature_deg", |t| t.temperature_deg),
         ("total_reinforcement", |t| t.total_reinforcement),
@@ -186,6 +186,7 @@ fn trials_csv_reads_back_to_the_same_bits() {
     assert_eq!(column(&table, "reached_goal")[1], "false");
     assert_eq!(column(&table, "steps_in_corridor")[0], "8");
     assert_eq!(column(&table, "steps_in_door")[0], "0");
+    assert_eq!((column(&table, "scout")[7], column(&table, "scout")[8]), ("false", "true"));
 }
 
 #[test]

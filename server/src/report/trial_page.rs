@@ -73,6 +73,7 @@ fn result(trial: &Trial) -> Markup {
     let reached = if trial.reached_goal { "Reached" } else { "Not reached" };
     let reached_note = match (trial.reached_goal, trial.record) {
         (true, true) => "a record: best so far",
+        (true, false) if trial.scout => "not a record; a scout set out (A6)",
         (true, false) => "not a record",
         (false, _) => "the trial was capped",
     };

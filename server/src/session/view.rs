@@ -110,6 +110,7 @@ impl Names {
             collisions: record.collisions,
             reached_goal: record.reached_goal,
             record: record.record,
+            scout: record.scout,
             temperature_deg: record.temperature_deg,
             path_m: record.path_m,
             regret: None,
@@ -161,6 +162,7 @@ fn source(source: ActionSource) -> &'static str {
         ActionSource::AfterRescue => "after-rescue",
         ActionSource::Sidestep => "sidestep",
         ActionSource::Escape => "escape",
+        ActionSource::Scout => "scout",
     }
 }
 

@@ -218,6 +218,9 @@ pub struct Trial {
     pub reached_goal: bool,
     /// It beat every earlier successful trial.
     pub record: bool,
+    /// A scout set out in it (A6).
+    #[serde(default)]
+    pub scout: bool,
     /// Temperature T(n), degrees.
     pub temperature_deg: f64,
     /// Length of the true path, metres.

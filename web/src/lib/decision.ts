@@ -92,6 +92,7 @@ function action(tick: TickView): string {
   if (tick.source === 'sidestep')
     return `The echoes left no room, so the robot stepped aside: ${turn}`;
   if (tick.source === 'escape') return `Stuck, the robot went along the obstacle: ${turn}`;
+  if (tick.source === 'scout') return `The scout went for the goal or along the obstacle: ${turn}`;
   if (tick.aim && tick.exploration.temperature_deg > 0)
     return `Neuron ${tick.neuron} drove along a shortcut to ${place(tick.aim)}: ${turn}`;
   return `Neuron ${tick.neuron} drove: ${turn}`;

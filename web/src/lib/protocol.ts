@@ -208,6 +208,8 @@ collisions: number,
 reached_goal: boolean,
 /** It beat every earlier successful trial. */
 record: boolean,
+/** A scout set out in it (A6). */
+scout: boolean,
 /** Temperature T(n), degrees. */
 temperature_deg: number,
 /** Length of the true path, metres. */
@@ -348,7 +350,7 @@ utility: number | null,
 aim: AimView | null,
 /** The stochastic unit, Eq. (5.12)-(5.16). */
 exploration: ExplorationView,
-/** `network`, `reflex`, `after-rescue`, `sidestep` or `escape`. */
+/** `network`, `reflex`, `after-rescue`, `sidestep`, `escape` or `scout`. */
 source: string,
 /** Action α, degrees, Eq. (5.15). */
 action_deg: number,

@@ -90,6 +90,7 @@ export function sampleTrial(trial: number, changes: Partial<Trial> = {}): Trial 
     collisions: 0,
     reached_goal: true,
     record: false,
+    scout: false,
     temperature_deg: 10,
     path_m: 5.4,
     regret: null,

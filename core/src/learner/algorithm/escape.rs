@@ -85,9 +85,10 @@ impl Escape {
 }
 
 impl Learner {
-    /// The heading along the obstacle, radians; none while the robot makes progress.
-    pub(super) fn escape(&mut self, situation: &Situation<'_>) -> Option<f64> {
-        if self.settings.escape_after == 0 {
+    /// The heading along the obstacle, radians; none while the robot makes progress. A scout (addition A6),
+    /// of which it is told which way it turns, is always led: to the goal where there is room.
+    pub(super) fn escape(&mut self, situation: &Situation<'_>, scout: Option<bool>) -> Option<f64> {
+        if self.settings.escape_after == 0 && scout.is_none() {
             return None;
         }
         let pose = situation.observation.pose;
@@ -101,9 +102,17 @@ impl Learner {
             }
         }
         self.escape.collisions = if situation.collided() { self.escape.collisions + 1 } else { 0 };
+        if scout.is_some() && !self.escape.under_way {
+            if self.room(situation, ALONG_M).is_free(goal_rad) {
+                return Some(goal_rad);
+            }
+            self.escape.under_way = true;
+        }
         self.escape.under_way |= self.escape.without >= self.settings.escape_after
             || self.escape.collisions >= MOST_COLLISIONS;
-        self.escape.under_way.then(|| self.follow(situation, goal_rad))
+        let trial = self.memory.first_success.unwrap_or(self.memory.trials + 1);
+        let left = scout.unwrap_or(!trial.is_multiple_of(2));
+        self.escape.under_way.then(|| self.follow(situation, goal_rad, left))
     }
 
     fn touched_at(&self, pose: Pose) -> Vec2 {
@@ -112,9 +121,7 @@ impl Learner {
 
     /// The first heading with room, counted from the side where the obstacle is; the very first where none
     /// has.
-    fn follow(&mut self, situation: &Situation<'_>, goal_rad: f64) -> f64 {
-        let trial = self.memory.first_success.unwrap_or(self.memory.trials + 1);
-        let left = !trial.is_multiple_of(2);
+    fn follow(&mut self, situation: &Situation<'_>, goal_rad: f64, left: bool) -> f64 {
         let turn_rad = if left { FAN_RAD } else { -FAN_RAD };
         let first_rad = self.escape.begin_sweep(goal_rad, turn_rad);
         let room = self.room(situation, ALONG_M);

@@ -125,6 +125,7 @@ pub(super) fn trial_end(trial: u32) -> TrialEndView {
             collisions: 0,
             reached_goal: true,
             record: trial == 1,
+            scout: trial == 2,
             temperature_deg: 100.0,
             path_m: 5.0,
             regret: None,
