@@ -66,7 +66,7 @@ crate::settings! {
         deviation: Deviation = Deviation::Half, "learner.sigma_reading" "", Reading, "Eq. (5.12)", "Standard deviation of the draw for a given σ";
         draw: Draw = Draw::Step, "learner.draw" "", Literal, "Algorithm 9", "How long a draw of the stochastic unit holds";
         first_action: FirstAction = FirstAction::Pursue, "learner.new_neuron" "", Deviation, "D2; section 5.7", "Where the first action of a new neuron comes from";
-        inherit_radius: f64 = 5.0, "learner.inherit_radius" [0.0, 100.0] "ς", Deviation, "D2, tuned", "Greatest distance of the neuron copied from, in receptive fields";
+        inherit_radius: f64 = 5.0, "learner.inherit_radius" [0.0, 100.0] "ς", Deviation, "D2, tuned", "Greatest distance of the neuron copied from, in receptive fields, where `learner.new_neuron` copies";
         forget_unrecorded: bool = true, "learner.forget_unrecorded" "", Deviation, "D3; section 5.9", "Delete the neurons born in a trial that set no record";
         after_rescue: AfterRescue = AfterRescue::Reflex, "learner.after_rescue" "", Addition, "D5; Algorithm 9", "Who chooses the step after a collision";
         discount: f64 = 0.7, "learner.discount" [0.0, 1.0] "", Literal, "Eq. (5.18), γ", "Discounting factor";

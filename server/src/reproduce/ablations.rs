@@ -66,6 +66,10 @@ const ARMS: &[Arm] = &[
     Arm { name: "A1: not moved off walls", settings: &[("shortcut.push", "false")] },
     Arm { name: "A2: shortcuts not carried on", settings: &[("shortcut.carry", "off")] },
     Arm { name: "A2: carried on, not handed over", settings: &[("shortcut.carry", "way")] },
+    Arm { name: "A3: no bends", settings: &[("shortcut.bend", "false")] },
+    Arm { name: "A4: no steps aside", settings: &[("learner.sidestep", "0")] },
+    Arm { name: "A5: no escape", settings: &[("learner.escape_after", "0")] },
+    Arm { name: "A6: no scouts", settings: &[("learner.scout_from", "0")] },
     Arm { name: "two obstacles, default", settings: &[("world", "two-obstacles")] },
     Arm {
         name: "two obstacles, no critic",
@@ -74,6 +78,10 @@ const ARMS: &[Arm] = &[
             ("learner.temporal_difference", "false"),
             ("learner.backtrack", "false"),
         ],
+    },
+    Arm {
+        name: "two obstacles, no scouts",
+        settings: &[("world", "two-obstacles"), ("learner.scout_from", "0")],
     },
     Arm { name: "door of 0.9 m, default", settings: &[("world", "laboratory-narrow-door")] },
     Arm {
@@ -84,7 +92,22 @@ const ARMS: &[Arm] = &[
             ("learner.backtrack", "false"),
         ],
     },
+    Arm { name: "hall with pillars, default", settings: &[PILLARS] },
+    Arm { name: "hall with pillars, no bends", settings: &[PILLARS, ("shortcut.bend", "false")] },
+    Arm { name: "hall with pillars, no scouts", settings: &[PILLARS, ("learner.scout_from", "0")] },
+    Arm { name: "two baffles, default", settings: &[BAFFLES] },
+    Arm { name: "two baffles, no escape", settings: &[BAFFLES, ("learner.escape_after", "0")] },
+    Arm { name: "drift 2 %, default", settings: &[DRIFT] },
+    Arm { name: "drift 2 %, no steps aside", settings: &[DRIFT, ("learner.sidestep", "0")] },
+    Arm {
+        name: "drift 2 %, new neurons copy their neighbour",
+        settings: &[DRIFT, ("learner.new_neuron", "inherit")],
+    },
 ];
+
+const PILLARS: (&str, &str) = ("world", "pillars");
+const BAFFLES: (&str, &str) = ("world", "two-baffles");
+const DRIFT: (&str, &str) = ("odometry.drift", "0.02");
 
 fn find(target: &Target, sets: &Sets<'_>) -> Result<Findings, ReproductionError> {
     let mut findings = Findings::default();

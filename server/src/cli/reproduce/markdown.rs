@@ -31,7 +31,7 @@ fn readings(target: &Target, rows: &[ReproductionRow]) -> Vec<String> {
     let mut seen = BTreeSet::new();
     let mut groups: Vec<(Vec<String>, &str)> = Vec::new();
     for row in rows {
-        let (_, quantity) = row.name.split_once(": ").unwrap_or(("", &row.name));
+        let (_, quantity) = row.name.rsplit_once(": ").unwrap_or(("", &row.name));
         let (_, reading) = row.reading.split_once(": ").unwrap_or(("", &row.reading));
         if !seen.insert(quantity) {
             continue;

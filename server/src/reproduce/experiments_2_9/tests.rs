@@ -101,8 +101,8 @@ fn between_nearer_walls_it_turns_as_the_reconstruction_does() {
         assert!((found.ours / expected - 1.0).abs() <= part, "{found:?}, expected {expected}");
     };
     // Its speed by the minimum at x0, and its changes of side and turns of the ablation, over 30 to 40 runs. It
-    // gives no deviations; the parts were chosen with our figures known. Between walls 2.4 m apart the speed
-    // and all but the first of the changes of side are further away than this.
+    // gives no deviations; the parts were chosen with our figures known. Between walls 2.4 m apart all of
+    // them are further away than this.
     near("minimum, x0", SPEED.name, 13.15, 0.04);
     near("minimum and Kalman, x4", FLIPS.name, 11.0, 0.2);
     near("median alone, x4", FLIPS.name, 7.7, 0.25);
