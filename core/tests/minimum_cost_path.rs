@@ -248,6 +248,7 @@ fn a_scout_that_searches_too_long_goes_back_to_the_record_path() {
     let scouts: Vec<u32> =
         trials.iter().filter(|trial| trial.scout).map(|trial| trial.trial).collect();
     assert_eq!(scouts, [9, 11]);
+    assert!(trials.iter().all(|trial| trial.neurons > 20), "none ends with what was laid aside");
     // To the right the way leads round the whole room; the scout gives up and something else decides.
     let last = scouted.iter().filter(|(trial, _)| *trial == 11).map(|(_, step)| *step).max();
     let last = last.expect("the second scout set out");

@@ -137,7 +137,6 @@ impl Learner {
         memory: Memory,
         rng: ChaCha8Rng,
     ) -> Self {
-        let scout = memory.scout_turns_left().is_some();
         Self {
             settings,
             robot,
@@ -152,7 +151,7 @@ impl Learner {
             waiting: None,
             drawn: None,
             escape: Escape::default(),
-            scout,
+            scout: false,
             step: 0,
         }
     }
@@ -195,6 +194,10 @@ impl Learner {
 
     /// Decides on a rotation: one turn of the loop of Algorithm 9.
     pub fn decide(&mut self, observation: &Observation) -> Decision {
+        if self.step == 0 && self.settings.learning {
+            self.memory.send_scout(&self.settings);
+            self.scout = self.memory.scout_turns_left().is_some();
+        }
         self.step += 1;
         self.memory.ticks += 1;
         if self.memory.has_scouted_enough(self.step) {
@@ -243,10 +246,8 @@ impl Learner {
         self.memory.temperature_deg =
             annealing::cooled(&self.settings, self.memory.temperature_deg);
         self.memory.trials += 1;
-        if self.settings.learning {
-            self.memory.scout(&self.settings);
-        }
-        self.scout = self.memory.scout_turns_left().is_some();
+        self.memory.judge_scout();
+        self.scout = false;
         self.rng = rng;
         self.past = None;
         self.waiting = None;

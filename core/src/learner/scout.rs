@@ -52,8 +52,8 @@ impl Memory {
             Self { next_neuron, temperature_deg, first_success, trials, ticks, ..*scouting.aside };
     }
 
-    /// Between two trials: ends a search, whose find is kept if it is the better one, and begins the next.
-    pub(super) fn scout(&mut self, settings: &LearnerSettings) {
+    /// After a trial: ends a search that is over; its find is kept if it is the better one.
+    pub(super) fn judge_scout(&mut self) {
         let over = |scouting: &Scouting| self.trials + 1 >= scouting.trial + TRIALS;
         if self.scouting.as_ref().is_some_and(over) {
             if self.is_better_than_aside() {
@@ -62,6 +62,10 @@ impl Memory {
                 self.stop_scouting();
             }
         }
+    }
+
+    /// Before a trial: sends out a scout if one is due.
+    pub(super) fn send_scout(&mut self, settings: &LearnerSettings) {
         let since = (self.trials + 1).checked_sub(settings.scout_from);
         let is_due = |since: &u32| since.is_multiple_of(TRIALS) && since / TRIALS < SCOUTS;
         let Some(since) = since.filter(|since| settings.scout_from > 0 && is_due(since)) else {
