@@ -317,6 +317,25 @@ fn an_escape_leads_where_the_reflex_never_comes() {
 }
 
 #[test]
+fn an_escape_does_not_run_into_the_same_thing_again_and_again() {
+    let baffles = world("two-baffles");
+    for seed in 44_000..44_010 {
+        let mut experiment =
+            MinimumCostPath::new(Arc::clone(&baffles), b21(), &Settings::default(), seed)
+                .expect("fits");
+        let (mut before, mut again) = (None, 0);
+        run(&mut experiment, 4, |tick, _| {
+            let hit = tick.outcome.contact != Contact::None;
+            let escape = tick.decision.source == ActionSource::Escape && hit;
+            let heading_deg = escape.then(|| tick.decision.action_rad.to_degrees().round());
+            again = if heading_deg.is_some() && heading_deg == before { again + 1 } else { 0 };
+            before = heading_deg;
+            assert!(again < 6, "seed {seed}, tick {}: {heading_deg:?} again", tick.tick);
+        });
+    }
+}
+
+#[test]
 fn an_escape_begins_without_progress_and_ends_nearer_than_ever() {
     let settings = Settings::default();
     let mut experiment =
