@@ -119,22 +119,16 @@ impl Learner {
         pose.position() + unit(pose.heading_rad) * (self.robot.body().reach_m() + TOUCHED_M)
     }
 
-    /// The first heading with room that did not just end in a collision, counted from the side where the
-    /// obstacle is; where there is none, one after the other from collision to collision.
+    /// The first heading with room, counted from the side where the obstacle is; where none has, or what has
+    /// ended in one collision after another, each in turn from collision to collision.
     fn follow(&mut self, situation: &Situation<'_>, goal_rad: f64, left: bool) -> f64 {
         let turn_rad = if left { FAN_RAD } else { -FAN_RAD };
         let first_rad = self.escape.begin_sweep(goal_rad, turn_rad);
         let room = self.room(situation, ALONG_M);
         let heading_rad = |turns: u32| wrap_angle(first_rad + f64::from(turns) * turn_rad);
-        let pose = situation.observation.pose;
-        let has_hit = |heading_rad: f64| {
-            situation.collided() && wrap_angle(heading_rad - pose.heading_rad).abs() < FAN_RAD / 2.0
-        };
-        let is_free = |turns: &u32| {
-            let heading_rad = heading_rad(*turns);
-            !has_hit(heading_rad) && room.is_free(heading_rad)
-        };
-        let turns = (0..FAN).find(is_free).unwrap_or(self.escape.collisions % FAN);
+        let free = (0..FAN).find(|turns| room.is_free(heading_rad(*turns)));
+        let collisions = self.escape.collisions;
+        let turns = free.filter(|_| collisions < MOST_COLLISIONS).unwrap_or(collisions % FAN);
         self.escape.take(heading_rad(turns), turns);
         heading_rad(turns)
     }
