@@ -259,6 +259,20 @@ fn a_scout_that_searches_too_long_goes_back_to_the_record_path() {
 }
 
 #[test]
+fn what_was_learned_is_there_while_a_scout_looks_for_more() {
+    let mut experiment =
+        MinimumCostPath::new(laboratory(), b21(), &Settings::default(), 13).expect("fits");
+    let neurons = |experiment: &MinimumCostPath| -> usize {
+        experiment.networks().iter().map(Vec::len).sum()
+    };
+    run(&mut experiment, 8, |_, _| {});
+    let learned = experiment.networks();
+    run(&mut experiment, 9, |_, _| {});
+    assert_eq!(experiment.networks(), learned, "the scout's way is longer");
+    assert!(experiment.neurons().count() < neurons(&experiment), "which is the one under way");
+}
+
+#[test]
 fn new_neurons_go_back_to_the_record_path() {
     let drift = ("odometry.drift", Value::Number(0.02));
     let pursue = with(&[drift.clone(), ("learner.scout_from", Value::Integer(0))]);

@@ -288,10 +288,11 @@ impl MinimumCostPath {
         if self.observation.is_some() { self.robot.true_pose() } else { self.world.home() }
     }
 
-    /// The networks as they are, in the order of the world's regions.
+    /// The trained networks, in the order of the world's regions; while a scout is looking for another way
+    /// (addition A6) those laid aside, unless it has found a better one.
     #[must_use]
     pub fn networks(&self) -> Vec<Vec<Neuron>> {
-        let networks = self.learner.memory().networks().iter();
+        let networks = self.learner.memory().best_networks().iter();
         networks.map(|network| network.neurons().to_vec()).collect()
     }
 

@@ -87,6 +87,14 @@ impl Memory {
         self.best.is_some_and(|best| before.is_none_or(|before| best > before))
     }
 
+    /// The networks with the best path: those laid aside, while the search has found no better one.
+    pub(crate) fn best_networks(&self) -> &[Network] {
+        match &self.scouting {
+            Some(scouting) if !self.is_better_than_aside() => &scouting.aside.networks,
+            _ => &self.networks,
+        }
+    }
+
     /// Whether a record of these networks is one of all trials.
     pub(super) fn holds_the_record(&self) -> bool {
         self.scouting.is_none() || self.is_better_than_aside()
