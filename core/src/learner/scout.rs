@@ -15,7 +15,7 @@ use super::{LearnerSettings, Memory, Network};
 const SCOUTS: u32 = 2;
 /// Trials of each: the scout's own, and one that betters what it found.
 const TRIALS: u32 = 2;
-/// So many times the steps of the record a scout may take.
+/// So many times the steps of the record a scout may take; tuned, as are the two above.
 const PATIENCE: f64 = 1.5;
 
 /// A scout's search.
@@ -95,7 +95,8 @@ impl Memory {
         }
     }
 
-    /// Whether a record of these networks is one of all trials.
+    /// Whether a record of these networks is one of all trials. What a scout finds is learned from as a record
+    /// whether it is or not.
     pub(super) fn holds_the_record(&self) -> bool {
         self.scouting.is_none() || self.is_better_than_aside()
     }

@@ -20,7 +20,7 @@ pub(super) struct Sector {
 }
 
 /// Four walls in the frame of a body, metres: one end, and the way to the other.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Walls {
     pub(super) ax: [f64; LANES],
     pub(super) ay: [f64; LANES],

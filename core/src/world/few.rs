@@ -152,9 +152,7 @@ impl HalfPlane {
     fn first(rays: &[(Vec2, Vec2)], mut normals: impl Iterator<Item = Vec2>) -> Self {
         normals.find_map(|normal| Self::behind(rays, normal)).unwrap_or(Self::EVERYWHERE)
     }
-}
 
-impl HalfPlane {
     /// How deep the deeper end of each of eight walls lies inside; below 0 where all of it is outside.
     #[inline(always)]
     fn holds<S: Simd>(&self, ax: f64x8<S>, ay: f64x8<S>, ex: f64x8<S>, ey: f64x8<S>) -> f64x8<S> {

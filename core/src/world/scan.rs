@@ -146,7 +146,6 @@ impl RayRing {
     }
 
     /// The nearest echo of each fan.
-    #[inline(always)]
     fn read(&self, readings_m: &mut [f64]) {
         let fans = self.shell.fans.min(readings_m.len());
         let blocks = self.heard.echoes.chunks_exact(self.shell.echoes_per_block());
