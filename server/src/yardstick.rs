@@ -49,11 +49,12 @@ impl Yardstick {
         }
     }
 
-    /// Regret of a trial: R* − R(n). A capped trial has no defined R(n) (section 5.11).
+    /// Regret of a trial: R* − R(n), with the goal where it truly was, since the planner knows where that is.
+    /// A capped trial has no defined R(n) (section 5.11).
     #[must_use]
     pub fn regret(&self, trial: &Trial) -> Option<f64> {
         let best = self.ready().filter(|_| trial.reached_goal)?;
-        Some(best.total_reinforcement - trial.total_reinforcement)
+        Some(best.total_reinforcement - trial.true_total_reinforcement())
     }
 
     /// The same in percent of R*; none when the best path costs nothing.

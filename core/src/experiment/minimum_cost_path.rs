@@ -14,8 +14,9 @@ use crate::geometry::{Pose, Vec2};
 use crate::learner::{
     Birth, CarryError, Consequence, DISTANCE_UNITS, Decision, Learner, LearnerSettings, Memory,
     Neuron, NeuronId, Observation, Outcome, Partition, RewardSettings, SonarFrame, Tick, TrialEnd,
-    TrialRecord, reinforcement,
+    TrialRecord, goal_part, reinforcement,
 };
+use crate::perception::{Fix, Localiser, Sighting};
 use crate::rng::{Purpose, stream};
 use crate::robot::{Contact, Motion, Robot, Sensed, SimulatedRobot};
 use crate::world::World;
@@ -47,6 +48,9 @@ pub struct NeuronRef<'a> {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint {
     memory: Memory,
+    /// What was heard where (addition A10).
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    sightings: Vec<Sighting>,
 }
 
 impl Checkpoint {
@@ -101,6 +105,13 @@ impl SetupError {
     }
 }
 
+/// What is known at an observation and not told to the learner.
+struct Known {
+    true_pose: Pose,
+    reflectance_pct: f64,
+    fix: Option<Fix>,
+}
+
 /// What is counted during a trial.
 #[derive(Clone, Debug, Default)]
 struct Tally {
@@ -108,6 +119,8 @@ struct Tally {
     safety: f64,
     goal: f64,
     collisions: u32,
+    /// What `goal` would be, had the robot known where it was.
+    true_goal: f64,
     path_m: f64,
     region_steps: Vec<u32>,
     first_tick: u64,
@@ -128,6 +141,12 @@ pub struct MinimumCostPath {
     on_collision: OnCollision,
     seed: u64,
     robot: SimulatedRobot,
+    /// Corrects odometry that errs (addition A10).
+    localiser: Option<Localiser>,
+    /// Where the robot takes itself to be.
+    believed: Pose,
+    /// How that was found, where odometry is corrected.
+    fix: Option<Fix>,
     /// Inputs of a neuron that the robot's sonars and the distance units fill.
     inputs: usize,
     learner: Learner,
@@ -159,7 +178,7 @@ impl MinimumCostPath {
             world.goal().centre,
             stream(seed, 0, Purpose::Exploration),
         );
-        Ok(Self::with(world, robot, settings, seed, learner))
+        Ok(Self::with(world, robot, settings, seed, learner, Vec::new()))
     }
 
     /// A new run with trained networks, one a region (one in all with `learner.regions = one`).
@@ -183,7 +202,8 @@ impl MinimumCostPath {
         networks.resize(regions, Vec::new());
         let inputs = robot.sonars().len() + DISTANCE_UNITS;
         let memory = Memory::carrying(&LearnerSettings::from(settings), &networks, inputs)?;
-        Self::resume(world, robot, settings, seed, &Checkpoint { memory })
+        let checkpoint = Checkpoint { memory, sightings: Vec::new() };
+        Self::resume(world, robot, settings, seed, &checkpoint)
     }
 
     /// Goes on after a checkpoint, to the same bits that a run never stopped gives.
@@ -212,7 +232,8 @@ impl MinimumCostPath {
             memory,
             rng,
         );
-        Ok(Self::with(world, robot, settings, seed, learner))
+        let sightings = checkpoint.sightings.clone();
+        Ok(Self::with(world, robot, settings, seed, learner, sightings))
     }
 
     fn with(
@@ -221,8 +242,17 @@ impl MinimumCostPath {
         settings: &Settings,
         seed: u64,
         learner: Learner,
+        sightings: Vec<Sighting>,
     ) -> Self {
+        // What the robot's odometry is good for is known, as a robot's maker tells it.
+        let (error, range_m) = (settings.odometry_drift, settings.sonar_range_m);
+        let radius_m = robot.body().reach_m();
+        let corrects = settings.odometry_correction && error > 0.0 && robot.has_even_ring();
+        let localiser = || Localiser::new(error, range_m, radius_m, sightings);
         Self {
+            localiser: corrects.then(localiser),
+            believed: world.home(),
+            fix: None,
             inputs: robot.sonars().len() + DISTANCE_UNITS,
             robot: SimulatedRobot::new(Arc::clone(&world), robot, settings.simulation(), seed),
             reward: LearnerSettings::from(settings).reward,
@@ -246,15 +276,19 @@ impl MinimumCostPath {
             Some(observation) => observation,
             None => self.begin_trial(),
         };
-        let true_pose = self.robot.true_pose();
-        let reflectance_pct = self.reflectance_pct;
+        let known = Known {
+            true_pose: self.robot.true_pose(),
+            reflectance_pct: self.reflectance_pct,
+            fix: self.fix,
+        };
         let decision = self.learner.decide(&observation);
         let motion = self.robot.act(decision.rotation_rad);
         let sensed = self.robot.sense();
+        self.locate(&sensed);
         self.reflectance_pct = sensed.reflectance_pct;
         let outcome = self.judge(&sensed, &motion);
-        self.count(&observation, &outcome, true_pose.position());
-        let tick = self.explain(&observation, decision, outcome, true_pose, reflectance_pct);
+        self.count(&observation, &outcome, known.true_pose.position());
+        let tick = self.explain(&observation, decision, outcome, known);
         let over = self.is_over(outcome.reached_goal, outcome.contact, self.tally.steps);
         self.end = over.then(|| self.end_trial(outcome.reached_goal, tick.tick));
         if !over {
@@ -267,7 +301,10 @@ impl MinimumCostPath {
     #[must_use]
     pub fn checkpoint(&self) -> Option<Checkpoint> {
         let between = self.observation.is_none();
-        between.then(|| Checkpoint { memory: self.learner.memory().clone() })
+        between.then(|| Checkpoint {
+            memory: self.learner.memory().clone(),
+            sightings: self.localiser.as_ref().map_or_else(Vec::new, |l| l.sightings().to_vec()),
+        })
     }
 
     /// Trials done.
@@ -323,8 +360,20 @@ impl MinimumCostPath {
         self.tally = Tally::new(self.world.regions().len());
         self.tally.first_tick = self.learner.memory().ticks() + 1;
         let sensed = self.robot.sense();
+        if let Some(localiser) = &mut self.localiser {
+            localiser.begin(self.robot.pose());
+        }
+        self.locate(&sensed);
         self.reflectance_pct = sensed.reflectance_pct;
         self.observe(&sensed, Contact::None)
+    }
+
+    /// Finds out where the robot is after it has moved.
+    fn locate(&mut self, sensed: &Sensed) {
+        let odometry = self.robot.pose();
+        let found = self.localiser.as_mut().map(|l| l.locate(odometry, &sensed.sonar_m));
+        self.believed = found.map_or(odometry, |(pose, _)| pose);
+        self.fix = found.map(|(_, fix)| fix);
     }
 
     /// Whether a trial is over. Section 5.11, Simulation vs. Reality: the simulated robot was killed at a
@@ -335,16 +384,10 @@ impl MinimumCostPath {
     }
 
     fn observe(&self, sensed: &Sensed, contact: Contact) -> Observation {
-        self.observe_with(&self.robot, sensed, contact)
+        self.observe_from(self.believed, sensed, contact)
     }
 
-    fn observe_with(
-        &self,
-        robot: &SimulatedRobot,
-        sensed: &Sensed,
-        contact: Contact,
-    ) -> Observation {
-        let pose = robot.pose();
+    fn observe_from(&self, pose: Pose, sensed: &Sensed, contact: Contact) -> Observation {
         Observation {
             sonar_m: sensed.sonar_m,
             pose,
@@ -355,7 +398,7 @@ impl MinimumCostPath {
 
     /// The reinforcement of what the last action led to.
     fn judge(&mut self, sensed: &Sensed, motion: &Motion) -> Outcome {
-        let pose = self.robot.pose();
+        let pose = self.believed;
         let bearing_rad = pose.bearing_to(self.world.goal().centre);
         let reinforcement =
             reinforcement(&self.reward, &sensed.sonar_m, motion.contact, bearing_rad);
@@ -376,6 +419,7 @@ impl MinimumCostPath {
         tally.steps += 1;
         tally.safety += outcome.reinforcement.safety;
         tally.goal += outcome.reinforcement.goal;
+        tally.true_goal += goal_part(outcome.true_pose.bearing_to(self.world.goal().centre));
         tally.collisions += u32::from(outcome.contact != Contact::None);
         tally.path_m += outcome.true_pose.distance_to(from);
         tally.region_steps[observation.region] += 1;
@@ -386,8 +430,7 @@ impl MinimumCostPath {
         observation: &Observation,
         decision: Decision,
         outcome: Outcome,
-        true_pose: Pose,
-        reflectance_pct: f64,
+        Known { true_pose, reflectance_pct, fix }: Known,
     ) -> Tick {
         let memory = self.learner.memory();
         Tick {
@@ -396,6 +439,7 @@ impl MinimumCostPath {
             step: self.learner.step(),
             true_pose,
             pose: observation.pose,
+            fix,
             sonar_m: observation.sonar_m,
             reflectance_pct,
             region: observation.region,
@@ -421,6 +465,7 @@ impl MinimumCostPath {
             total_reinforcement: tally.safety + tally.goal,
             safety: tally.safety,
             goal: tally.goal,
+            true_goal: tally.true_goal,
             neurons: self.learner.memory().neurons(),
             born,
             forgotten: changes.forgotten.len() as u32,
@@ -439,6 +484,7 @@ impl MinimumCostPath {
             backed_up: changes.backed_up,
             replaced: changes.replaced,
             proposed: changes.proposed,
+            withdrawn: changes.withdrawn,
             forgotten: changes.forgotten,
             recentred: changes.recentred,
         }

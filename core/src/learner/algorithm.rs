@@ -20,8 +20,8 @@ use super::stochastic::{eligibility, explore};
 use super::trial_end::{Changes, PathStep, close};
 use super::{
     ActionFrame, ActionSource, Adaptation, AfterRescue, Aim, Birth, BirthCause, Consequence,
-    Decision, Draw, Exploration, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId, Observation,
-    Origin, Partition, Winner, annealing, reinforcement,
+    Decision, Draw, Exploration, Guide, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId,
+    Observation, Origin, Partition, Winner, annealing, reinforcement,
 };
 use crate::control::{Reflex, ReflexTrace};
 use crate::geometry::{Pose, Vec2, angle, unit, wrap_angle};
@@ -105,6 +105,8 @@ pub struct Learner {
     /// The last draw in this trial, and the neuron it was drawn for.
     drawn: Option<(NeuronId, f64)>,
     escape: Escape,
+    /// The leg under way of a way that bends (A3).
+    bend: Option<Aim>,
     /// A scout set out in this trial.
     scout: bool,
     step: u32,
@@ -151,6 +153,7 @@ impl Learner {
             waiting: None,
             drawn: None,
             escape: Escape::default(),
+            bend: None,
             scout: false,
             step: 0,
         }
@@ -253,6 +256,7 @@ impl Learner {
         self.waiting = None;
         self.drawn = None;
         self.escape = Escape::default();
+        self.bend = None;
         self.path.clear();
         self.born.clear();
         self.step = 0;
@@ -299,6 +303,7 @@ impl Learner {
             winner: None,
             born: None,
             origin: None,
+            guide: None,
             reflex: Some(reflex),
             adaptation: Adaptation::Off,
             neuron: None,
@@ -314,28 +319,36 @@ impl Learner {
 
     fn act_from_network(&mut self, situation: &Situation<'_>) -> Decision {
         let mut reflex = None;
+        let leg = self.leg(situation);
         let winner = self.memory.networks[situation.network]
             .winner(&situation.input)
             .map(|(neuron, squared)| (Acting::from(situation.network, neuron), squared));
         let (acting, born) = match self.cause_of_birth(situation, winner.as_ref()) {
             None => (self.generalise(winner.map(|(acting, _)| acting)), None),
             Some(cause) => {
-                let acting = self.grow(situation, cause, winner.as_ref(), &mut reflex);
+                let acting = self.grow(situation, cause, leg, &mut reflex);
                 (Some(acting), Some(acting.neuron))
             }
         };
-        let Some(acting) = acting else { return self.act_from_reflex(situation) };
+        let Some(mut acting) = acting else { return self.act_from_reflex(situation) };
         let adaptation = self.adapt_past(&acting);
+        let guide = match born {
+            Some(_) => None,
+            None => self.guide(situation, &mut acting, leg),
+        };
+        self.bend = acting.aim.filter(|aim| aim.beyond.is_some() || leg == Some(*aim));
+        let mean_deg = guide.map_or_else(|| self.mean_deg(situation, &acting), |_| 0.0);
         let mut exploration = explore(
             &self.settings,
             acting.utility,
-            self.mean_deg(situation, &acting),
+            mean_deg,
             self.temperature_deg(),
             self.held(&acting),
             &mut self.rng,
         );
         self.drawn = Some((acting.neuron, exploration.drawn_deg));
-        let (action_rad, source) = self.choose(situation, &acting, &mut exploration, &mut reflex);
+        let (action_rad, source) =
+            self.choose(situation, &acting, guide, &mut exploration, &mut reflex);
         self.wait_for_consequence(situation, &acting, &exploration, action_rad);
         Decision {
             goal_distance_m: situation.observation.pose.distance_to(self.goal),
@@ -346,6 +359,7 @@ impl Learner {
             }),
             origin: born.and_then(|born| self.origin_of(acting.network, born)),
             born,
+            guide,
             reflex,
             adaptation,
             neuron: Some(acting.neuron),
@@ -365,6 +379,7 @@ impl Learner {
         &mut self,
         situation: &Situation<'_>,
         acting: &Acting,
+        guide: Option<Guide>,
         exploration: &mut Exploration,
         reflex: &mut Option<ReflexTrace>,
     ) -> (f64, ActionSource) {
@@ -384,7 +399,10 @@ impl Learner {
             }
             (situation.action(advice.rotation_rad), ActionSource::AfterRescue)
         } else {
-            (acting.prototypical_rad, ActionSource::Network)
+            match guide {
+                Some(Guide { source, place }) => (self.towards(situation, place), source),
+                None => (acting.prototypical_rad, ActionSource::Network),
+            }
         };
         // Eq. (5.15): α = p_i + ξ
         let action_rad = wrap_angle(start_rad + exploration.xi_deg.to_radians());
@@ -446,11 +464,11 @@ impl Learner {
         &mut self,
         situation: &Situation<'_>,
         cause: BirthCause,
-        nearest: Option<&(Acting, f64)>,
+        leg: Option<Aim>,
         reflex: &mut Option<ReflexTrace>,
     ) -> Acting {
         let observation = situation.observation;
-        let heritage = self.heritage(situation, nearest, reflex);
+        let heritage = self.heritage(situation, leg, reflex);
         // Section 5.9, Exceptions: u is the reinforcement of the present situation.
         let now = reinforcement(
             &self.settings.reward,

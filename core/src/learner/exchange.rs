@@ -1,6 +1,8 @@
 //! What goes into the learner and what comes out of it.
 
-use super::{ActionSource, Adaptation, Aim, Exploration, NeuronId, Origin, Reinforcement, Winner};
+use super::{
+    ActionSource, Adaptation, Aim, Exploration, Guide, NeuronId, Origin, Reinforcement, Winner,
+};
 use crate::control::ReflexTrace;
 use crate::geometry::Pose;
 use crate::robot::{Contact, Readings};
@@ -31,6 +33,8 @@ pub struct Decision {
     pub born: Option<NeuronId>,
     /// Where the action of that neuron came from.
     pub origin: Option<Origin>,
+    /// What leads a known neuron past its own action.
+    pub guide: Option<Guide>,
     /// The reflex, when it was asked.
     pub reflex: Option<ReflexTrace>,
     /// What happened to the past neuron.

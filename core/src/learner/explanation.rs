@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Decision;
 use crate::geometry::{Pose, Vec2};
+use crate::perception::Fix;
 use crate::robot::{Contact, Readings};
 
 /// Number of a neuron in a session: unique, never used again.
@@ -63,7 +64,7 @@ pub enum Origin {
         y_m: f64,
     },
     /// Copied: from the neuron before it on a shortcut, or from the one in charge where the shortcut ends
-    /// (addition A2); or from the nearest neuron of the same network (setting `learner.new_neuron`).
+    /// (addition A2).
     Inherited {
         /// The neuron copied from.
         parent: NeuronId,
@@ -96,12 +97,25 @@ pub enum ActionSource {
     Reflex,
     /// A reflex step after a rescue (addition D5).
     AfterRescue,
+    /// Along a way that bends, past a neuron that would do something else (addition A3).
+    Bend,
+    /// Back to the record path, where a neuron won that is not of it (addition A9).
+    Pursuit,
     /// Turned aside, because the echoes left no room for the next step (addition A4).
     Sidestep,
     /// Along an obstacle, because the robot came no nearer to the goal (addition A5).
     Escape,
     /// A scout's step: for the goal, or along an obstacle (addition A6).
     Scout,
+}
+
+/// What leads a known neuron past its own action.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Guide {
+    /// [`ActionSource::Bend`] or [`ActionSource::Pursuit`].
+    pub source: ActionSource,
+    /// Where to, odometry frame, metres.
+    pub place: Vec2,
 }
 
 /// The stochastic unit at work, Eq. (5.12)-(5.16). Degrees, as the thesis counts them.
@@ -194,8 +208,10 @@ pub struct Tick {
     pub step: u32,
     /// True pose when sensing.
     pub true_pose: Pose,
-    /// Believed pose (odometry) when sensing.
+    /// Believed pose when sensing: by odometry, and by the sonars where it is corrected (addition A10).
     pub pose: Pose,
+    /// How that was found; none where odometry is not corrected.
+    pub fix: Option<Fix>,
     /// Sonar readings, metres from each sonar, in the order of the robot's mounts.
     pub sonar_m: Readings,
     /// Strongest infrared reflectance, percent of full reflection.
@@ -244,6 +260,8 @@ pub struct TrialRecord {
     pub safety: f64,
     /// Share of `R(n)` from Eq. (5.7).
     pub goal: f64,
+    /// What that would be, had the robot known where it was; the same unless odometry errs.
+    pub true_goal: f64,
     /// Neurons after the trial.
     pub neurons: usize,
     /// Neurons added during the trial.
@@ -349,6 +367,8 @@ pub struct TrialEnd {
     pub replaced: Vec<Change>,
     /// Shortcuts proposed (addition A1).
     pub proposed: Vec<Proposal>,
+    /// Neurons whose shortcut is withdrawn (addition A8).
+    pub withdrawn: Vec<NeuronId>,
     /// Neurons deleted (addition D3).
     pub forgotten: Vec<NeuronId>,
     /// Neurons whose centre was set or moved during the trial, in the order of their numbers.

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::scout::Scouting;
 use super::{Aim, Birth, Input, LearnerSettings, Network, Neuron, NeuronId, annealing};
+use crate::geometry::Vec2;
 
 /// All that outlives a trial: the networks and what steers them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -19,9 +20,9 @@ pub struct Memory {
     /// The first trial that reached the goal, from 1.
     #[serde(default)]
     pub(super) first_success: Option<u32>,
-    /// Where the steps of the record trial were decided, metres.
+    /// The steps of the record trial.
     #[serde(default)]
-    pub(super) record_m: Vec<[f64; 2]>,
+    pub(super) record: Vec<Waypoint>,
     /// What is laid aside while a scout looks for another way (addition A6).
     #[serde(default)]
     pub(super) scouting: Option<Scouting>,
@@ -40,7 +41,7 @@ impl Memory {
             temperature_deg: annealing::initial(settings),
             best: None,
             first_success: None,
-            record_m: Vec::new(),
+            record: Vec::new(),
             scouting: None,
             trials: 0,
             ticks: 0,
@@ -72,6 +73,11 @@ impl Memory {
         id
     }
 
+    /// Whether a neuron was in charge of a step of the record trial.
+    pub(super) fn is_on_record(&self, neuron: NeuronId) -> bool {
+        self.record.iter().any(|step| step.neuron == neuron)
+    }
+
     /// Trials done.
     #[must_use]
     pub fn trials(&self) -> u32 {
@@ -94,6 +100,24 @@ impl Memory {
     #[must_use]
     pub fn neurons(&self) -> usize {
         self.networks.iter().map(|network| network.neurons().len()).sum()
+    }
+}
+
+/// Where a step of the record trial was decided, and by whom.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Waypoint {
+    /// Metres.
+    pub(super) x_m: f64,
+    /// Metres.
+    pub(super) y_m: f64,
+    /// The neuron in charge.
+    pub(super) neuron: NeuronId,
+}
+
+impl Waypoint {
+    /// The place.
+    pub(super) fn point(&self) -> Vec2 {
+        Vec2::new(self.x_m, self.y_m)
     }
 }
 

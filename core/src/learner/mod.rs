@@ -40,7 +40,7 @@ pub use explanation::*;
 pub use input::{DISTANCE_UNITS, INPUTS, Input, InputSettings, SonarFrame};
 pub use memory::Memory;
 pub use network::{Network, Neuron, NoveltyMetric, Partition};
-pub use reward::{RewardSettings, reinforcement};
+pub use reward::{RewardSettings, goal_part, reinforcement};
 pub use settings::{
     ActionFrame, AfterRescue, Carry, Deviation, Draw, FirstAction, Judge, LearnerSettings,
     MeanUpdate, Replacement,

@@ -32,9 +32,14 @@ pub fn reinforcement(
     } else {
         0.0
     };
+    Reinforcement { safety, goal: goal_part(goal_bearing_rad), close }
+}
+
+/// The goal's part of the reinforcement, with the goal at a bearing in `[-π, π)`.
+#[must_use]
+pub fn goal_part(goal_bearing_rad: f64) -> f64 {
     // Eq. (5.7): f₂ = -acute(|θ_h - θ_gr|) / π
-    let goal = -goal_bearing_rad.abs() / PI;
-    Reinforcement { safety, goal, close }
+    -goal_bearing_rad.abs() / PI
 }
 
 #[cfg(test)]

@@ -40,7 +40,7 @@ impl Memory {
     pub(super) fn has_scouted_enough(&self, steps: u32) -> bool {
         let scouting = self.scouting.as_ref().filter(|_| self.scout_turns_left().is_some());
         scouting.is_some_and(|scouting| {
-            f64::from(steps) > PATIENCE * scouting.aside.record_m.len() as f64
+            f64::from(steps) > PATIENCE * scouting.aside.record.len() as f64
         })
     }
 
@@ -71,13 +71,13 @@ impl Memory {
         let Some(since) = since.filter(|since| settings.scout_from > 0 && is_due(since)) else {
             return;
         };
-        if self.scouting.is_none() && !self.record_m.is_empty() {
+        if self.scouting.is_none() && !self.record.is_empty() {
             let networks = vec![Network::default(); self.networks.len()];
             let aside = Box::new(self.clone());
             let (trial, left) = (self.trials + 1, since < TRIALS);
             self.scouting = Some(Scouting { trial, left, aside });
             (self.networks, self.best) = (networks, None);
-            self.record_m.clear();
+            self.record.clear();
         }
     }
 

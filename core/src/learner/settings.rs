@@ -19,8 +19,6 @@ crate::choice! {
     /// Where the first action of a new neuron comes from.
     pub enum FirstAction {
         Pursue = "pursue": "the next place of the record path, once a trial has succeeded; else the reflex",
-        Inherit = "inherit": "action and mean of the nearest neuron of the network, once a trial has succeeded; else the reflex",
-        InheritAction = "inherit-action": "action of the nearest neuron, mean 0",
         Reflex = "reflex": "always the reflex, as printed",
     }
 }
@@ -105,7 +103,7 @@ pub struct LearnerSettings {
     pub deviation: Deviation,
     pub draw: Draw,
     pub first_action: FirstAction,
-    pub inherit_radius: f64,
+    pub keep_to_record: bool,
     pub forget_unrecorded: bool,
     pub after_rescue: AfterRescue,
     pub discount: f64,
@@ -122,6 +120,8 @@ pub struct LearnerSettings {
     pub shortcut_push: bool,
     pub shortcut_carry: Carry,
     pub shortcut_bend: bool,
+    pub shortcut_withdraw: bool,
+    pub near_echo_m: f64,
     pub echo_width: f64,
     pub shortcut_bend_gain: f64,
     pub sidestep_m: f64,
@@ -158,7 +158,7 @@ impl From<&Settings> for LearnerSettings {
             deviation: settings.deviation,
             draw: settings.draw,
             first_action: settings.first_action,
-            inherit_radius: settings.inherit_radius,
+            keep_to_record: settings.keep_to_record,
             forget_unrecorded: settings.forget_unrecorded,
             after_rescue: settings.after_rescue,
             discount: settings.discount,
@@ -175,6 +175,8 @@ impl From<&Settings> for LearnerSettings {
             shortcut_push: settings.shortcut_push,
             shortcut_carry: settings.shortcut_carry,
             shortcut_bend: settings.shortcut_bend,
+            shortcut_withdraw: settings.shortcut_withdraw,
+            near_echo_m: settings.near_echo_m,
             echo_width: settings.echo_width,
             shortcut_bend_gain: settings.shortcut_bend_gain,
             sidestep_m: settings.sidestep_m,

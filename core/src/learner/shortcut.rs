@@ -19,17 +19,24 @@ use crate::robot::Robot;
 /// A nearer point gives no direction to aim along, metres.
 const TOO_NEAR_M: f64 = 0.05;
 
+/// Near echoes lie at least this far apart; more of them tell nothing more, metres.
+const APART_M: f64 = 0.05;
+
 /// Bends are looked for at every eighth step of the path: a way that bends is long, and where each neuron
 /// proposes its own, the next trial follows none to its end.
 const BENDS_EVERY: usize = 8;
 
 /// Looks for shortcuts along a record path.
 pub(super) struct Surveyor<'a> {
-    pub(super) settings: &'a LearnerSettings,
-    pub(super) robot: &'a Robot,
-    pub(super) goal: Vec2,
-    pub(super) memory: &'a Memory,
-    pub(super) path: &'a [PathStep],
+    settings: &'a LearnerSettings,
+    robot: &'a Robot,
+    goal: Vec2,
+    memory: &'a Memory,
+    path: &'a [PathStep],
+    /// What was heard where each step was decided.
+    views: Vec<Echoes<'a>>,
+    /// Echoes heard close by at any step (A7).
+    near: Vec<Vec2>,
 }
 
 /// A way that a neuron could propose.
@@ -58,23 +65,37 @@ struct Candidate {
     utility: f64,
 }
 
-impl Surveyor<'_> {
+impl<'a> Surveyor<'a> {
+    /// A surveyor of a record path, for a goal in the odometry frame.
+    pub(super) fn new(
+        settings: &'a LearnerSettings,
+        robot: &'a Robot,
+        goal: Vec2,
+        memory: &'a Memory,
+        path: &'a [PathStep],
+    ) -> Self {
+        let views = path.iter().map(|step| settings.echoes(robot, step.pose, &step.sonar_m));
+        // NOTE (A7): a surface that throws the echo of a slanting beam away is silent from where a shortcut
+        // begins, and was heard where the robot passed it. Far echoes tell less: a cone blurs their place.
+        let near_m = settings.near_echo_m;
+        let near = path.iter().flat_map(|step| {
+            settings.echoes_within(robot, step.pose, &step.sonar_m, near_m).into_points()
+        });
+        let (views, near) = (views.collect(), thinned(near));
+        Self { settings, robot, goal, memory, path, views, near }
+    }
+
     /// The proposal of each step of the path that has one.
     pub(super) fn survey(&self) -> Vec<(usize, Proposal)> {
         let next_trial = self.memory.trials + 2;
         let cooled = annealing::cooled(self.settings, self.memory.temperature_deg);
         let temperature_deg = annealing::effective(self.settings, cooled, next_trial);
-        let views: Vec<Echoes<'_>> = self.path.iter().map(|step| self.view(step)).collect();
-        let proposal = |t| Some((t, self.propose(t, &views, temperature_deg)?));
+        let proposal = |t| Some((t, self.propose(t, temperature_deg)?));
         (0..self.path.len()).filter_map(proposal).collect()
     }
 
-    fn view<'a>(&'a self, step: &'a PathStep) -> Echoes<'a> {
-        self.settings.echoes(self.robot, step.pose, &step.sonar_m)
-    }
-
     /// The best way from where a step was decided to a later point, within the next temperature.
-    fn propose(&self, t: usize, views: &[Echoes<'_>], temperature_deg: f64) -> Option<Proposal> {
+    fn propose(&self, t: usize, temperature_deg: f64) -> Option<Proposal> {
         let step = &self.path[t];
         let neuron = self.memory.networks[step.network].get(step.neuron)?;
         let within = |heading_rad: f64| {
@@ -83,10 +104,10 @@ impl Surveyor<'_> {
             // Eq. (5.15): -T(n) ≤ ξ ≤ T(n). What the temperature would clip is not proposed.
             (mean_deg.abs() <= temperature_deg).then_some(mean_deg)
         };
-        let straight = self.best_straight(t, &views[t], &within);
+        let straight = self.best_straight(t, &within);
         let bends = self.settings.shortcut_bend && self.settings.shortcut_judge == Judge::Critic;
         let way = if bends && t.is_multiple_of(BENDS_EVERY) {
-            self.best_bend(t, views, &within, straight)
+            self.best_bend(t, &within, straight)
         } else {
             straight
         }?;
@@ -102,12 +123,8 @@ impl Surveyor<'_> {
     }
 
     /// The best later point in view.
-    fn best_straight(
-        &self,
-        t: usize,
-        view: &Echoes<'_>,
-        within: &impl Fn(f64) -> Option<f64>,
-    ) -> Option<Way> {
+    fn best_straight(&self, t: usize, within: &impl Fn(f64) -> Option<f64>) -> Option<Way> {
+        let view = &self.views[t];
         let mut best: Option<Way> = None;
         // The far end first: it mostly has the greatest utility, and spares the look at all others.
         for candidate in self.later_points(t).rev() {
@@ -222,7 +239,7 @@ impl Surveyor<'_> {
     /// The echoes that can count on a straight way.
     fn beside(&self, from: Vec2, direction: Vec2, length_m: f64, views: &[&Echoes<'_>]) -> Beside {
         let counts_m = self.settings.shortcut_clearance_m.max(self.settings.reward.close_m);
-        Beside::new(views, from, direction, length_m, counts_m)
+        Beside::new(views, &self.near, from, direction, length_m, counts_m)
     }
 
     /// Reinforcement of a step that ends at a place; none when the echoes do not leave room.
@@ -241,6 +258,17 @@ impl Surveyor<'_> {
     fn number(&self, step: usize) -> u32 {
         step as u32 + 1
     }
+}
+
+/// Those of some points that lie apart from all before them.
+fn thinned(points: impl Iterator<Item = Vec2>) -> Vec<Vec2> {
+    points.fold(Vec::new(), |mut kept, point| {
+        let is_apart = |other: &Vec2| (other - point).norm_squared() >= APART_M * APART_M;
+        if kept.iter().all(is_apart) {
+            kept.push(point);
+        }
+        kept
+    })
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! What is learned when a trial ends: back-tracking, replacement, proposals, forgetting.
 
+use super::memory::Waypoint;
 use super::shortcut::Surveyor;
 use super::{Aim, Change, LearnerSettings, MeanUpdate, Memory, NeuronId, Proposal, Replacement};
 use crate::geometry::{Pose, Vec2};
@@ -52,6 +53,8 @@ pub(crate) struct Changes {
     pub(crate) replaced: Vec<Change>,
     /// A1.
     pub(crate) proposed: Vec<Proposal>,
+    /// A8.
+    pub(crate) withdrawn: Vec<NeuronId>,
     /// D3.
     pub(crate) forgotten: Vec<NeuronId>,
     /// Eq. (5.25), or added.
@@ -85,6 +88,9 @@ pub(super) fn close(
     if record && settings.mean_update == MeanUpdate::Shortcut {
         changes.proposed = propose(settings, robot, goal, memory, path);
     }
+    if !record && settings.shortcut_withdraw && memory.best.is_some() {
+        changes.withdrawn = withdraw(memory, path);
+    }
     if !record && settings.forget_unrecorded && memory.best.is_some() {
         changes.forgotten = forget(memory, born);
     }
@@ -109,7 +115,11 @@ fn replace(settings: &LearnerSettings, memory: &mut Memory, path: &[PathStep]) -
     let mut changes = Vec::new();
     if settings.replacement != Replacement::Off {
         // D2: what a new neuron goes back to is kept with the actions.
-        memory.record_m = path.iter().map(|step| [step.pose.x_m, step.pose.y_m]).collect();
+        let waypoint = |step: &PathStep| {
+            let Pose { x_m, y_m, .. } = step.pose;
+            Waypoint { x_m, y_m, neuron: step.neuron }
+        };
+        memory.record = path.iter().map(waypoint).collect();
     }
     for t in replacement_order(settings, path.len()) {
         let step = &path[t];
@@ -132,7 +142,7 @@ fn propose(
     path: &[PathStep],
 ) -> Vec<Proposal> {
     let mut proposals: Vec<Proposal> = Vec::new();
-    for (t, proposal) in (Surveyor { settings, robot, goal, memory, path }).survey() {
+    for (t, proposal) in Surveyor::new(settings, robot, goal, memory, path).survey() {
         let Some(neuron) = memory.networks[path[t].network].get_mut(proposal.neuron) else {
             continue;
         };
@@ -144,6 +154,22 @@ fn propose(
         }
     }
     proposals
+}
+
+/// NOTE (A8): the critic's promise of a shortcut is a guess, made before anybody went there. What was followed
+/// and set no record is not followed again; the next trial tries what is left.
+fn withdraw(memory: &mut Memory, path: &[PathStep]) -> Vec<NeuronId> {
+    let mut withdrawn = Vec::new();
+    for step in path.iter().filter(|step| step.aim.is_some()) {
+        if let Some(neuron) = memory.networks[step.network].get_mut(step.neuron)
+            && neuron.aim == step.aim
+        {
+            neuron.aim = None;
+            neuron.mean_deg = 0.0;
+            withdrawn.push(neuron.id);
+        }
+    }
+    withdrawn
 }
 
 fn back_up(memory: &mut Memory, path: &[PathStep]) -> Vec<Change> {

@@ -6,6 +6,7 @@ mod fusion;
 mod gains;
 mod hashing;
 mod kalman;
+mod localiser;
 
 pub use calibration::{Calibration, CalibrationReport, Pair, Place, PlaceError};
 pub use consistency::Consistency;
@@ -13,3 +14,4 @@ pub use fusion::{Fusion, FusionRule, Method, RegionDepth};
 pub use gains::Gains;
 pub use hashing::{Hashing, HashingError, MOST_REGIONS, MedianRank, ReadingError, Snapshot};
 pub use kalman::{Correction, Kalman, KalmanError, LinearModel, lost_at_sea};
+pub use localiser::{Fix, Localiser, Sighting};

@@ -67,7 +67,7 @@ const fn column<Row>(
     Column { name, meaning, value }
 }
 
-const TRIAL_COLUMNS: [Column<Trial>; 17] = [
+const TRIAL_COLUMNS: [Column<Trial>; 18] = [
     column("trial", "trial, from 1", |t| t.trial.to_string()),
     column("reached_goal", "true, or false when the trial was capped", |t| {
         t.reached_goal.to_string()
@@ -91,9 +91,12 @@ const TRIAL_COLUMNS: [Column<Trial>; 17] = [
     column("first_tick", "first tick of the trial", |t| t.first_tick.to_string()),
     column("last_tick", "last tick of the trial", |t| t.last_tick.to_string()),
     column("scout", "a scout set out in it (A6)", |t| t.scout.to_string()),
+    column("true_goal", "what goal would be, had the robot known where it was", |t| {
+        optional(t.true_goal)
+    }),
 ];
 
-const TICK_COLUMNS: [Column<TickView>; 47] = [
+const TICK_COLUMNS: [Column<TickView>; 52] = [
     column("tick", "control step of the session, from 1", |t| t.tick.to_string()),
     column("trial", "trial, from 1", |t| t.trial.to_string()),
     column("step", "control step of the trial, from 1", |t| t.step.to_string()),
@@ -102,8 +105,8 @@ const TICK_COLUMNS: [Column<TickView>; 47] = [
     column("true_heading_deg", "true heading, counter-clockwise from the x axis", |t| {
         t.true_pose.heading_deg.to_string()
     }),
-    column("x_m", "believed position (odometry)", |t| t.pose.x_m.to_string()),
-    column("y_m", "believed position (odometry)", |t| t.pose.y_m.to_string()),
+    column("x_m", "believed position", |t| t.pose.x_m.to_string()),
+    column("y_m", "believed position", |t| t.pose.y_m.to_string()),
     column("heading_deg", "believed heading", |t| t.pose.heading_deg.to_string()),
     column("goal_distance_m", "believed distance to the goal", |t| t.goal_distance_m.to_string()),
     column("goal_bearing_deg", "believed bearing of the goal from the heading", |t| {
@@ -119,9 +122,11 @@ const TICK_COLUMNS: [Column<TickView>; 47] = [
     column("reflex_rotation_deg", "rotation of the reflex, when it was asked", |t| {
         optional(t.reflex.map(|reflex| reflex.rotation_deg))
     }),
-    column("source", "network, reflex, after-rescue, sidestep, escape or scout", |t| {
-        t.source.clone()
-    }),
+    column(
+        "source",
+        "network, reflex, after-rescue, bend, pursuit, sidestep, escape or scout",
+        |t| t.source.clone(),
+    ),
     column("neuron", "neuron in charge", |t| optional(t.neuron)),
     column("utility", "its utility u", |t| optional(t.utility)),
     column("prototypical_deg", "its prototypical action p", |t| t.prototypical_deg.to_string()),
@@ -170,6 +175,21 @@ const TICK_COLUMNS: [Column<TickView>; 47] = [
         _ => String::new(),
     }),
     column("neurons", "neurons after this tick", |t| t.neurons.to_string()),
+    column("odometry_x_m", "position by odometry alone, where it is corrected (A10)", |t| {
+        optional(t.fix.map(|fix| fix.odometry.x_m))
+    }),
+    column("odometry_y_m", "position by odometry alone", |t| {
+        optional(t.fix.map(|fix| fix.odometry.y_m))
+    }),
+    column("odometry_heading_deg", "heading by odometry alone", |t| {
+        optional(t.fix.map(|fix| fix.odometry.heading_deg))
+    }),
+    column("fix_echoes", "echoes that agreed with what was heard there before", |t| {
+        optional(t.fix.map(|fix| fix.echoes))
+    }),
+    column("fix_spread_m", "standard deviation of the believed position", |t| {
+        optional(t.fix.map(|fix| fix.spread_m))
+    }),
 ];
 
 /// What every kind of adaptation has in common.

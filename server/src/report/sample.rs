@@ -81,6 +81,7 @@ pub(super) fn trials() -> Vec<Trial> {
             total_reinforcement: total,
             safety,
             goal,
+            true_goal: Some(goal),
             neurons,
             born,
             forgotten,

@@ -17,6 +17,7 @@ pub(super) fn trial_report() -> TrialReport {
             backed_up: (60..88).map(|n| change(n, -0.31, -0.21 * f64::from(88 - n))).collect(),
             replaced: (60..88).map(|n| change(n, 12.5, 9.75 + f64::from(n % 7))).collect(),
             proposed: (64..88).map(proposal).collect(),
+            withdrawn: vec![66, 71],
             forgotten: Vec::new(),
             neurons: vec![neuron(1), neuron(2)],
         },
@@ -55,6 +56,7 @@ fn tick(trial: &Trial, step: u32) -> TickView {
         step,
         true_pose: pose,
         pose,
+        fix: None,
         sonar_m: (0..24)
             .map(|sonar| 0.13 + (0.9 + 0.1 * f64::from(sonar)) * (0.3 * turn).sin().powi(2))
             .collect(),

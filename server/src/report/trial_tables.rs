@@ -51,11 +51,19 @@ pub(super) fn changes_tables(end: &TrialEndView) -> Markup {
         (change_table("Utilities set by back-tracking, Eq. 5.26", "u", "", &end.backed_up, 3))
         (change_table("Prototypical actions replaced, Eq. 5.28", "p", "deg", &end.replaced, 1))
         (proposal_table(&end.proposed))
+        h3 { "Shortcuts followed without a record and withdrawn, addition A8" }
+        (neurons(&end.withdrawn))
         h3 { "Neurons deleted, deviation D3" }
-        @if end.forgotten.is_empty() {
-            p class="note" { "None" }
-        } @else {
-            p { (end.forgotten.len()) " neurons: " (list(&end.forgotten)) }
+        (neurons(&end.forgotten))
+    }
+}
+
+fn neurons(numbers: &[u32]) -> Markup {
+    html! {
+        @match numbers {
+            [] => p class="note" { "None" },
+            [one] => p { "Neuron " (one) },
+            several => p { (several.len()) " neurons: " (list(several)) },
         }
     }
 }

@@ -52,10 +52,10 @@ pub(super) fn success_pct(sample: &Sample) -> Option<Estimate> {
 }
 
 /// What the best path a planner finds costs less, for a trial, percent of what that path costs. A trial
-/// that was capped counts with what it had paid until then.
+/// that was capped counts with what it had paid until then, and each with the goal where it truly was.
 pub(super) fn excess_pct(trial: &Trial, yardstick: &Yardstick) -> Option<f64> {
     let best = yardstick.ready()?.total_reinforcement;
-    (best < 0.0).then(|| 100.0 * (best - trial.total_reinforcement) / -best)
+    (best < 0.0).then(|| 100.0 * (best - trial.true_total_reinforcement()) / -best)
 }
 
 /// The best path a planner finds for the arm of a sample.

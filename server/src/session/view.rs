@@ -4,14 +4,15 @@ use sonarium_core::control::ReflexTrace;
 use sonarium_core::experiment::NeuronRef;
 use sonarium_core::geometry::{Pose, wrap_angle};
 use sonarium_core::learner::{
-    ActionSource, Adaptation, Aim, Birth, BirthCause, Change, Exploration, NeuronId, Origin,
+    ActionSource, Adaptation, Aim, Birth, BirthCause, Change, Exploration, Guide, NeuronId, Origin,
     Outcome, Proposal, Tick, TrialEnd, TrialRecord, Update, Winner,
 };
+use sonarium_core::perception::Fix;
 use sonarium_core::robot::Contact;
 
 use crate::wire::{
-    AdaptationView, AimView, BirthView, ChangeView, ExplorationView, NeuronView, OutcomeView,
-    PoseView, ProposalView, ReflexView, TickView, Trial, TrialEndView, WinnerView,
+    AdaptationView, AimView, BirthView, ChangeView, ExplorationView, FixView, NeuronView,
+    OutcomeView, PoseView, ProposalView, ReflexView, TickView, Trial, TrialEndView, WinnerView,
 };
 
 /// The names a session's indices stand for.
@@ -47,6 +48,7 @@ impl Names {
             step: tick.step,
             true_pose: tick.true_pose.into(),
             pose: tick.pose.into(),
+            fix: tick.fix.as_ref().map(FixView::from),
             sonar_m: tick.sonar_m.to_vec(),
             reflectance_pct: tick.reflectance_pct,
             goal_distance_m: decision.goal_distance_m,
@@ -54,7 +56,7 @@ impl Names {
             region: self.region(tick.region),
             winner: decision.winner.map(WinnerView::from),
             born: number(decision.born),
-            toward_m: decision.origin.and_then(toward_m),
+            toward_m: decision.origin.and_then(toward_m).or(decision.guide.and_then(pursued_m)),
             reflex: decision.reflex.as_ref().map(ReflexView::from),
             adaptation: decision.adaptation.into(),
             neuron: number(decision.neuron),
@@ -104,6 +106,7 @@ impl Names {
             total_reinforcement: record.total_reinforcement,
             safety: record.safety,
             goal: record.goal,
+            true_goal: Some(record.true_goal),
             neurons: count(record.neurons),
             born: record.born,
             forgotten: record.forgotten,
@@ -132,6 +135,7 @@ impl Names {
             backed_up: end.backed_up.iter().map(ChangeView::from).collect(),
             replaced: end.replaced.iter().map(in_degrees).collect(),
             proposed: end.proposed.iter().map(ProposalView::from).collect(),
+            withdrawn: end.withdrawn.iter().map(|id| id.0).collect(),
             forgotten: end.forgotten.iter().map(|id| id.0).collect(),
             neurons: neurons.map(|neuron| self.neuron_after(end, &neuron)).collect(),
         }
@@ -160,6 +164,8 @@ fn source(source: ActionSource) -> &'static str {
         ActionSource::Network => "network",
         ActionSource::Reflex => "reflex",
         ActionSource::AfterRescue => "after-rescue",
+        ActionSource::Bend => "bend",
+        ActionSource::Pursuit => "pursuit",
         ActionSource::Sidestep => "sidestep",
         ActionSource::Escape => "escape",
         ActionSource::Scout => "scout",
@@ -295,6 +301,17 @@ fn toward_m(origin: Origin) -> Option<[f64; 2]> {
     match origin {
         Origin::Pursuit { x_m, y_m } => Some([x_m, y_m]),
         Origin::Reflex | Origin::Inherited { .. } => None,
+    }
+}
+
+/// The place of the record path that a neuron makes for which is not of it.
+fn pursued_m(guide: Guide) -> Option<[f64; 2]> {
+    (guide.source == ActionSource::Pursuit).then_some([guide.place.x, guide.place.y])
+}
+
+impl From<&Fix> for FixView {
+    fn from(fix: &Fix) -> Self {
+        Self { odometry: fix.odometry.into(), echoes: fix.echoes, spread_m: fix.spread_m }
     }
 }
 

@@ -206,6 +206,9 @@ pub struct Trial {
     pub safety: f64,
     /// Share of R(n) from the goal part, Eq. (5.7).
     pub goal: f64,
+    /// What `goal` would be, had the robot known where it was; none in logs of older programs.
+    #[serde(default)]
+    pub true_goal: Option<f64>,
     /// Neurons after the trial.
     pub neurons: u32,
     /// Neurons added.
@@ -225,8 +228,8 @@ pub struct Trial {
     pub temperature_deg: f64,
     /// Length of the true path, metres.
     pub path_m: f64,
-    /// Regret R* − R(n): what the best path that a planner finds would have earned more. None when the
-    /// goal was not reached, no way was planned, or planning is not done yet; never in the log.
+    /// Regret R* − R(n): what the best path that a planner finds would have earned more, with the goal where it
+    /// truly was. None when the goal was not reached, no way was planned, or planning is not done yet; never in the log.
     #[serde(default)]
     pub regret: Option<f64>,
     /// Steps taken in each region, by the region's name.
@@ -235,6 +238,14 @@ pub struct Trial {
     pub first_tick: u64,
     /// Last tick.
     pub last_tick: u64,
+}
+
+impl Trial {
+    /// R(n) as it was, had the robot known where the goal was; R(n) itself in logs of older programs.
+    #[must_use]
+    pub fn true_total_reinforcement(&self) -> f64 {
+        self.safety + self.true_goal.unwrap_or(self.goal)
+    }
 }
 
 /// Summary over trials.

@@ -28,8 +28,11 @@ pub struct TickView {
     pub step: u32,
     /// True pose when sensing.
     pub true_pose: PoseView,
-    /// Believed pose (odometry) when sensing.
+    /// Believed pose when sensing: by odometry, and by the sonars where it is corrected (A10).
     pub pose: PoseView,
+    /// How that was found; none where odometry is not corrected.
+    #[serde(default)]
+    pub fix: Option<FixView>,
     /// One reading a sonar, metres from where it sits; `hello` and the robot's file say where each looks.
     pub sonar_m: Vec<f64>,
     /// Strongest infrared reflectance, percent.
@@ -44,7 +47,8 @@ pub struct TickView {
     pub winner: Option<WinnerView>,
     /// Neuron added at this situation.
     pub born: Option<u32>,
-    /// Place of the record path that the action of that neuron makes for, metres (D2).
+    /// Place of the record path that the action makes for, metres: that of a new neuron (D2), or of one that is
+    /// not of the record path (A9).
     #[serde(default)]
     pub toward_m: Option<[f64; 2]>,
     /// The reflex, when it was asked, Eq. (5.8).
@@ -62,7 +66,7 @@ pub struct TickView {
     pub aim: Option<AimView>,
     /// The stochastic unit, Eq. (5.12)-(5.16).
     pub exploration: ExplorationView,
-    /// `network`, `reflex`, `after-rescue`, `sidestep`, `escape` or `scout`.
+    /// `network`, `reflex`, `after-rescue`, `bend`, `pursuit`, `sidestep`, `escape` or `scout`.
     pub source: String,
     /// Action α, degrees, Eq. (5.15).
     pub action_deg: f64,
@@ -76,6 +80,17 @@ pub struct TickView {
     pub neurons: u32,
     /// Total reinforcement of the trial so far.
     pub total_reinforcement: f64,
+}
+
+/// A pose found by odometry and sonars (A10).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
+pub struct FixView {
+    /// The pose by odometry alone.
+    pub odometry: PoseView,
+    /// Echoes that agreed with what was heard here before; 0 where nothing was.
+    pub echoes: u32,
+    /// Standard deviation of the position, metres.
+    pub spread_m: f64,
 }
 
 /// The nearest neuron.
@@ -252,6 +267,9 @@ pub struct TrialEndView {
     pub replaced: Vec<ChangeView>,
     /// Shortcuts proposed (addition A1), with their reason.
     pub proposed: Vec<ProposalView>,
+    /// Neurons whose shortcut was followed without a record and is withdrawn (addition A8).
+    #[serde(default)]
+    pub withdrawn: Vec<u32>,
     /// Neurons deleted (addition D3).
     pub forgotten: Vec<u32>,
     /// All neurons after the trial; centres only where the trial set or moved them.

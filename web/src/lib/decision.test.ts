@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { birthWords, sentences, turnWords } from './decision';
+import { birthWords, facts, sentences, turnWords } from './decision';
 import type { TickView } from './protocol';
 import { sampleNeuron, sampleTick, SETTINGS } from './sample';
 
@@ -63,6 +63,25 @@ describe('a decision in words', () => {
   it('tells who drove', () => {
     expect(told({ source: 'reflex' })[2]).toMatch(/^The bare reflex drove/);
     expect(told({ source: 'after-rescue' })[2]).toMatch(/^After the rescue the reflex chose/);
+  });
+
+  it('tells what led the robot past its neuron', () => {
+    const aim = { x_m: 2, y_m: -1, then: 40 };
+    expect(told({ source: 'bend', aim })[2]).toBe(
+      'Past neuron 17 the robot kept to the way that bends, to (2.00, −1.00) m, where neuron 40 takes over: turn 12.8° right, then advance',
+    );
+    expect(told({ source: 'pursuit', toward_m: [1.5, -0.25] })[2]).toBe(
+      'Neuron 17 is not of the record path; the robot went back to it, for (1.50, −0.25): turn 12.8° right, then advance',
+    );
+  });
+
+  it('tells how far odometry is off', () => {
+    const fact = (fix: TickView['fix']) =>
+      facts(sampleTick({ fix }), []).find(([label]) => label === 'Odometry alone')?.[1];
+    const odometry = { x_m: 0.03, y_m: -0.04, heading_deg: 31 };
+    expect(fact({ odometry, echoes: 14, spread_m: 0.01 })).toBe('0.05 m off; 14 echoes agree');
+    expect(fact({ odometry, echoes: 0, spread_m: 0.01 })).toMatch(/nothing heard here before$/);
+    expect(fact(null)).toBeUndefined();
   });
 
   it('tells collisions and the goal', () => {

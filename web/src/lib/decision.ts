@@ -89,6 +89,10 @@ function action(tick: TickView): string {
   const turn = turnWords(tick.rotation_deg);
   if (tick.source === 'reflex') return `The bare reflex drove: ${turn}`;
   if (tick.source === 'after-rescue') return `After the rescue the reflex chose this step: ${turn}`;
+  if (tick.source === 'bend' && tick.aim)
+    return `Past neuron ${tick.neuron} the robot kept to the way that bends, to ${place(tick.aim)}: ${turn}`;
+  if (tick.source === 'pursuit' && tick.toward_m)
+    return `Neuron ${tick.neuron} is not of the record path; the robot went back to it, for ${point(tick.toward_m)}: ${turn}`;
   if (tick.source === 'sidestep')
     return `The echoes left no room, so the robot stepped aside: ${turn}`;
   if (tick.source === 'escape') return `Stuck, the robot went along the obstacle: ${turn}`;
@@ -120,6 +124,14 @@ function consequence({ outcome }: TickView): string {
   return `A ${outcome.contact} collision (${sensor}), ${way}; ${r}${end}`;
 }
 
+/** How far odometry alone is off what the sonars tell, where it is corrected. */
+function fixFacts({ fix, pose }: TickView): [string, string][] {
+  if (!fix) return [];
+  const off_m = Math.hypot(fix.odometry.x_m - pose.x_m, fix.odometry.y_m - pose.y_m);
+  const echoes = fix.echoes > 0 ? `${fix.echoes} ${fix.echoes === 1 ? 'echo' : 'echoes'} agree` : 'nothing heard here before';
+  return [['Odometry alone', `${metres(off_m)} off; ${echoes}`]];
+}
+
 /** Numbers of the situation, as label and value; bearings are those of the sonars. */
 export function facts(tick: TickView, bearings_deg: number[]): [string, string][] {
   const least = nearest(tick.sonar_m);
@@ -130,6 +142,7 @@ export function facts(tick: TickView, bearings_deg: number[]): [string, string][
       'Nearest sonar',
       `${metres(tick.sonar_m[least] ?? 0)} ${bearingWords(bearings_deg[least] ?? 0)}`,
     ],
+    ...fixFacts(tick),
     ['Infrared', `${number(tick.reflectance_pct, 0)} %`],
     ['Trial so far', `R = ${number(tick.total_reinforcement)}`],
     ['Network', count(tick.neurons, 'neuron')],

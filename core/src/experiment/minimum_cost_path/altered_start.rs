@@ -51,7 +51,7 @@ impl MinimumCostPath {
         let mut robot = self.robot.clone();
         robot.begin_trial_at(self.trials_done() + number, start);
         let sensed = robot.sense();
-        let first = self.observe_with(&robot, &sensed, Contact::None);
+        let first = self.observe_from(robot.pose(), &sensed, Contact::None);
         AlteredStart {
             start,
             explored_m: births.reduce(f64::min),
@@ -75,7 +75,7 @@ impl MinimumCostPath {
         let mut contact = Contact::None;
         let mut sensed = robot.sense();
         while !self.is_over(excursion.reached_goal, contact, excursion.steps) {
-            let observation = self.observe_with(&robot, &sensed, contact);
+            let observation = self.observe_from(robot.pose(), &sensed, contact);
             let recall = self.learner.recall(&observation, silence);
             contact = robot.act(recall.rotation_rad).contact;
             sensed = robot.sense();

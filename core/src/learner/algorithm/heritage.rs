@@ -4,8 +4,9 @@ use super::{Acting, Learner, Situation};
 use crate::control::ReflexTrace;
 use crate::geometry::{Vec2, angle, unit, wrap_angle};
 use crate::learner::echoes::SLACK_M;
+use crate::learner::memory::Waypoint;
 use crate::learner::trial_end::PathStep;
-use crate::learner::{Aim, Carry, FirstAction, Neuron, NeuronId, Origin};
+use crate::learner::{ActionSource, Aim, Carry, FirstAction, Guide, Neuron, NeuronId, Origin};
 
 /// Distance at which an aim is reached: half a step never passes it by, in advances.
 pub(super) const REACHED: f64 = 0.5;
@@ -37,15 +38,13 @@ impl Learner {
     pub(super) fn heritage(
         &self,
         situation: &Situation<'_>,
-        nearest: Option<&(Acting, f64)>,
+        leg: Option<Aim>,
         reflex: &mut Option<ReflexTrace>,
     ) -> Heritage {
         if self.may_inherit(situation) {
-            let shortcut = self.path.last().and_then(|past| self.carry_on(situation, past));
-            let other = || match self.settings.first_action {
-                FirstAction::Pursue => self.pursue(situation),
-                _ => self.neighbour(situation, nearest?),
-            };
+            let past = self.path.last();
+            let shortcut = past.and_then(|past| self.carry_on(situation, past, leg));
+            let other = || self.target(situation).map(|target| self.pursuit(situation, target));
             if let Some(heritage) = shortcut.or_else(other) {
                 return heritage;
             }
@@ -63,17 +62,27 @@ impl Learner {
 
     /// A2: the shortcut that the last step followed goes on, or ends here and the neuron in charge at
     /// its end takes over. Only while exploring: at temperature 0 nothing follows a shortcut.
-    fn carry_on(&self, situation: &Situation<'_>, past: &PathStep) -> Option<Heritage> {
+    fn carry_on(
+        &self,
+        situation: &Situation<'_>,
+        past: &PathStep,
+        leg: Option<Aim>,
+    ) -> Option<Heritage> {
         if self.settings.shortcut_carry == Carry::Off || self.temperature_deg() <= 0.0 {
             return None;
+        }
+        if let Some(leg) = leg {
+            return Some(Heritage {
+                origin: Origin::Inherited { parent: past.neuron },
+                prototypical_rad: self.towards(situation, leg.point()),
+                mean_deg: 0.0,
+                aim: Some(leg),
+            });
         }
         let aim = past.aim?;
         let left_m = (aim.point() - situation.observation.pose.position()).norm();
         if left_m <= REACHED * self.settings.advance_m {
-            return match aim.after_bend() {
-                Some(next) => self.bend(situation, past, next),
-                None => self.hand_over(aim.then?),
-            };
+            return self.hand_over(aim.then?);
         }
         if !self.is_free(situation, aim) {
             return None;
@@ -87,15 +96,21 @@ impl Learner {
         })
     }
 
-    /// A3: the second leg begins; the new neuron starts with its direction, so that nothing is clipped.
-    fn bend(&self, situation: &Situation<'_>, past: &PathStep, next: Aim) -> Option<Heritage> {
-        let way = next.point() - situation.observation.pose.position();
-        self.is_free(situation, next).then(|| Heritage {
-            origin: Origin::Inherited { parent: past.neuron },
-            prototypical_rad: wrap_angle(angle(way) - situation.frame_rad),
-            mean_deg: 0.0,
-            aim: Some(next),
-        })
+    /// A3: the leg to drive on a way that bends, while one is under way and the echoes leave room.
+    ///
+    /// Known neurons that it passes have aims of their own; where they took over, none was driven to its end.
+    pub(super) fn leg(&self, situation: &Situation<'_>) -> Option<Aim> {
+        let leg = self.bend.filter(|_| !situation.collided() && self.temperature_deg() > 0.0)?;
+        let left_m = (leg.point() - situation.observation.pose.position()).norm();
+        let reached = left_m <= REACHED * self.settings.advance_m;
+        let leg = if reached { leg.after_bend()? } else { leg };
+        self.is_free(situation, leg).then_some(leg)
+    }
+
+    /// Direction to a place, radians in the action frame.
+    pub(super) fn towards(&self, situation: &Situation<'_>, place: Vec2) -> f64 {
+        let way = place - situation.observation.pose.position();
+        wrap_angle(angle(way) - situation.frame_rad)
     }
 
     fn hand_over(&self, (network, neuron): (usize, NeuronId)) -> Option<Heritage> {
@@ -117,40 +132,49 @@ impl Learner {
         [0.5, 1.0].iter().all(|share| echoes.clearance_m(here + step * *share) >= asked_m)
     }
 
-    /// D2: after the record path (pure pursuit), that is to where the step after its nearest place was
-    /// decided; to the goal after the last.
-    fn pursue(&self, situation: &Situation<'_>) -> Option<Heritage> {
+    /// D2: where to go back to the record path (pure pursuit), that is where the step after its nearest place
+    /// was decided; the goal after the last.
+    fn target(&self, situation: &Situation<'_>) -> Option<Vec2> {
         let here = situation.observation.pose.position();
-        let squared = |place: &[f64; 2]| (Vec2::from(*place) - here).norm_squared();
-        let record_m = self.memory.record_m.iter().enumerate();
-        let (nearest, _) = record_m.min_by(|a, b| squared(a.1).total_cmp(&squared(b.1)))?;
-        let next = self.memory.record_m.get(nearest + 1).map_or(self.goal, |place| (*place).into());
-        Some(Heritage {
-            origin: Origin::Pursuit { x_m: next.x, y_m: next.y },
-            prototypical_rad: wrap_angle(angle(next - here) - situation.frame_rad),
-            mean_deg: 0.0,
-            aim: None,
-        })
+        let squared = |step: &Waypoint| (step.point() - here).norm_squared();
+        let record = self.memory.record.iter().enumerate();
+        let (nearest, _) = record.min_by(|a, b| squared(a.1).total_cmp(&squared(b.1)))?;
+        Some(self.memory.record.get(nearest + 1).map_or(self.goal, Waypoint::point))
     }
 
-    /// The nearest neuron of the network, if it is near enough and what it does leaves room.
-    fn neighbour(
+    fn pursuit(&self, situation: &Situation<'_>, target: Vec2) -> Heritage {
+        Heritage {
+            origin: Origin::Pursuit { x_m: target.x, y_m: target.y },
+            prototypical_rad: self.towards(situation, target),
+            mean_deg: 0.0,
+            aim: None,
+        }
+    }
+
+    /// What leads a known neuron past its own action: a way that bends (A3), which it then aims along, or the
+    /// way back to the record path (A9).
+    pub(super) fn guide(
         &self,
         situation: &Situation<'_>,
-        (nearest, squared): &(Acting, f64),
-    ) -> Option<Heritage> {
-        let radius = self.settings.inherit_radius * self.settings.novelty;
-        if self.settings.novelty_metric.of(*squared) > radius {
-            return None;
+        acting: &mut Acting,
+        leg: Option<Aim>,
+    ) -> Option<Guide> {
+        if let Some(leg) = leg {
+            (acting.aim, acting.mean_deg) = (Some(leg), 0.0);
+            return Some(Guide { source: ActionSource::Bend, place: leg.point() });
         }
-        let heritage = Heritage::of(self.memory.networks[nearest.network].get(nearest.neuron)?);
-        let heading_rad = wrap_angle(heritage.prototypical_rad + situation.frame_rad);
-        if !self.has_room(situation, heading_rad) {
-            return None;
-        }
-        Some(match self.settings.first_action {
-            FirstAction::InheritAction => Heritage { mean_deg: 0.0, aim: None, ..heritage },
-            _ => heritage,
-        })
+        let place = self.stray(situation, acting)?;
+        Some(Guide { source: ActionSource::Pursuit, place })
+    }
+
+    /// Where a neuron goes that wins at temperature 0 and is not of the record path.
+    ///
+    /// NOTE (A9): the receptive fields of neurons that an earlier record left behind reach over the path. What
+    /// they do was found elsewhere; here it leads away from the best path, which is to be driven as it is.
+    fn stray(&self, situation: &Situation<'_>, acting: &Acting) -> Option<Vec2> {
+        let strays = self.settings.keep_to_record
+            && self.temperature_deg() <= 0.0
+            && !self.memory.is_on_record(acting.neuron);
+        strays.then(|| self.target(situation)).flatten()
     }
 }

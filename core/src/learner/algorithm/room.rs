@@ -65,12 +65,6 @@ impl Learner {
         Room { echoes, pose, advance_m, least_m }
     }
 
-    /// A4: whether what a new neuron would copy leaves room; one that has none asks the reflex.
-    pub(super) fn has_room(&self, situation: &Situation<'_>, heading_rad: f64) -> bool {
-        let least_m = self.settings.sidestep_m;
-        least_m <= 0.0 || self.room(situation, least_m).is_free(heading_rad)
-    }
-
     /// NOTE (A4): the thesis lets the winner act whatever the sonars say, and pays for the collision;
     /// here the heading nearest to its own that leaves room for the next step is taken, once a trial
     /// has succeeded. None when its own does, or no other is better.

@@ -29,7 +29,6 @@ impl Surveyor<'_> {
     pub(super) fn best_bend(
         &self,
         t: usize,
-        views: &[Echoes<'_>],
         within: &impl Fn(f64) -> Option<f64>,
         straight: Option<Way>,
     ) -> Option<Way> {
@@ -39,13 +38,13 @@ impl Surveyor<'_> {
         // The end of a way has to be a place where the robot looked round.
         let ends: Vec<Candidate> =
             self.later_points(t).filter(|end| end.step + 1 < self.path.len()).collect();
-        let bends = self.bends(t, &views[t], within, floor - greatest_utility(&ends));
+        let bends = self.bends(t, within, floor - greatest_utility(&ends));
         for (promise, bend, end) in self.promises(&bends, &ends, floor) {
             if promise <= floor {
                 break;
             }
             let known = bend.reinforcement + end.utility;
-            let views = [&views[t], &views[end.step + 1]];
+            let views = [&self.views[t], &self.views[end.step + 1]];
             let is_worth = |second| known + second > floor;
             if let Some(second) = self.second_leg(views, bend.place, end.point, is_worth) {
                 floor = known + second;
@@ -95,13 +94,8 @@ impl Surveyor<'_> {
     }
 
     /// The places in view where a way could bend and still be worth more than a floor.
-    fn bends(
-        &self,
-        t: usize,
-        view: &Echoes<'_>,
-        within: &impl Fn(f64) -> Option<f64>,
-        floor: f64,
-    ) -> Vec<Bend> {
+    fn bends(&self, t: usize, within: &impl Fn(f64) -> Option<f64>, floor: f64) -> Vec<Bend> {
+        let view = &self.views[t];
         let mut bends = Vec::new();
         for heading_rad in self.fan(t, view) {
             if let Some(mean_deg) = within(heading_rad) {

@@ -64,7 +64,7 @@ fn first_to(
 ) -> Option<Proposal> {
     let (robot, memory): (_, Memory) = (b21(), memory(settings, utilities));
     let robot: &Robot = &robot;
-    let surveyor = Surveyor { settings, robot, goal, memory: &memory, path };
+    let surveyor = Surveyor::new(settings, robot, goal, &memory, path);
     surveyor.survey().into_iter().find(|(t, _)| *t == 0).map(|(_, proposal)| proposal)
 }
 

@@ -119,6 +119,7 @@ pub(super) fn trial_end(trial: u32) -> TrialEndView {
             total_reinforcement: -number(last_tick, 1),
             safety: -0.0,
             goal: -number(last_tick, 2),
+            true_goal: Some(-number(last_tick, 3)),
             neurons: 2,
             born: 2,
             forgotten: 0,
@@ -136,6 +137,7 @@ pub(super) fn trial_end(trial: u32) -> TrialEndView {
         backed_up: vec![ChangeView { neuron: 1, before: 0.1, after: 0.2 }],
         replaced: Vec::new(),
         proposed: Vec::new(),
+        withdrawn: vec![3],
         forgotten: vec![7],
         neurons: Vec::new(),
     }
@@ -148,6 +150,11 @@ pub(super) fn tick(n: u64) -> TickView {
         step: ((n - 1) % TRIAL_TICKS + 1) as u32,
         true_pose: pose(n, 1),
         pose: pose(n, 4),
+        fix: n.is_multiple_of(5).then(|| FixView {
+            odometry: pose(n, 53),
+            echoes: 17,
+            spread_m: number(n, 56),
+        }),
         sonar_m: (0..24).map(|sonar| number(n, 10 + sonar)).collect(),
         reflectance_pct: 12.5,
         goal_distance_m: number(n, 7),
