@@ -62,7 +62,7 @@ crate::settings! {
         temperature_min_deg: f64 = 10.0, "learner.temperature_min" [0.0, 360.0] "deg", Literal, "Eq. (5.17), T_min", "Temperature it cools to";
         carried_temperature_deg: f64 = 100.0, "learner.carried_temperature" [0.0, 360.0] "deg", Addition, "continual learning", "Temperature of the first trial of a run that begins with trained networks";
         cooling: f64 = 0.8, "learner.cooling" [0.0, 1.0] "", Literal, "Eq. (5.17), β", "Share of the temperature kept from trial to trial";
-        exploit_from: u32 = 18, "learner.exploit_from" [0.0, 100_000.0] "trial", Deviation, "D4; Eq. (5.17)", "Trial from which the temperature is 0 and the best path is replayed; 0: never; tuned in the laboratory";
+        exploit_from: u32 = 16, "learner.exploit_from" [0.0, 100_000.0] "trial", Deviation, "D4; Eq. (5.17)", "Trial from which the temperature is 0 and the best path is replayed; 0: never; tuned in the laboratory";
         sigma_scale: f64 = 0.05, "learner.sigma_scale" [0.0, 1.0] "", Deviation, "D1; Eq. (5.14)", "Share of σ that is used; 1 is literal";
         deviation: Deviation = Deviation::Half, "learner.sigma_reading" "", Reading, "Eq. (5.12)", "Standard deviation of the draw for a given σ";
         draw: Draw = Draw::Step, "learner.draw" "", Literal, "Algorithm 9", "How long a draw of the stochastic unit holds";
@@ -93,7 +93,7 @@ crate::settings! {
         shortcut_withdraw: bool = true, "shortcut.withdraw" "", Addition, "A8", "A shortcut that was followed in a trial without a record is withdrawn";
         sidestep_m: f64 = 0.15, "learner.sidestep" [0.0, 1.0] "m", Addition, "A4; the clearance at which a rescue ends", "Clearance of the next step below which it is turned aside, once a trial has succeeded; 0: never";
         escape_after: u32 = 25, "learner.escape_after" [0.0, 100_000.0] "", Addition, "A5, tuned", "Steps without coming nearer to the goal after which the robot follows the obstacle; 0: never";
-        scout_from: u32 = 9, "learner.scout_from" [0.0, 100_000.0] "trial", Addition, "A6, tuned", "Trial in which the first of two scouts looks for another way, the second two trials later, once a trial has succeeded; 0: none";
+        scout_from: u32 = 3, "learner.scout_from" [0.0, 100_000.0] "trial", Addition, "A6, tuned", "Trial in which the first of two scouts looks for another way, the second two trials later, once a trial has succeeded; 0: none";
     }
 }
 
