@@ -95,8 +95,8 @@ fn a_run_resumed_from_any_trial_goes_on_to_the_same_bits() {
     let mut whole = MinimumCostPath::new(Arc::clone(&world), b21(), &settings, 5).expect("fits");
     let mut ticks = Vec::new();
     let mut checkpoints: Vec<Checkpoint> = Vec::new();
-    // Trials 9 to 12 are those of scouts, with what was learned before laid aside.
-    while whole.trials_done() < 13 {
+    // Trials 3 to 6 are those of scouts, with what was learned before laid aside.
+    while whole.trials_done() < 8 {
         let (tick, end) = whole.step();
         let ended = end.is_some();
         ticks.push(tick.clone());
@@ -110,7 +110,7 @@ fn a_run_resumed_from_any_trial_goes_on_to_the_same_bits() {
             MinimumCostPath::resume(Arc::clone(&world), b21(), &settings, 5, &read).expect("fits");
         let from = read.tick() as usize;
         let mut rest = Vec::new();
-        run(&mut resumed, 13, |tick, _| rest.push(tick.clone()));
+        run(&mut resumed, 8, |tick, _| rest.push(tick.clone()));
         assert_eq!(rest, ticks[from..], "resumed after trial {}", read.trials_done());
     }
 }
@@ -170,7 +170,7 @@ fn a_shortcut_is_followed_to_where_it_leads() {
     let mut experiment =
         MinimumCostPath::new(laboratory(), b21(), &Settings::default(), 12).expect("fits");
     let mut proposed = Vec::new();
-    let (mut followed, mut carried) = (0, 0);
+    let (mut followed, mut carried, mut bent) = (0, 0, 0);
     run(&mut experiment, 8, |tick, end| {
         let decision = &tick.decision;
         if let Some(aim) = decision.aim.filter(|_| decision.exploration.mean_deg != 0.0) {
@@ -183,14 +183,148 @@ fn a_shortcut_is_followed_to_where_it_leads() {
             followed += 1;
             carried += u32::from(decision.born.is_some());
         }
+        if decision.source == ActionSource::Bend {
+            // A3: past a known neuron the way goes on, with nothing but the draw added.
+            let aim = decision.aim.expect("a leg");
+            let way = aim.point() - tick.pose.position();
+            let drawn_rad = decision.exploration.xi_deg.to_radians();
+            let off_rad = decision.action_rad - drawn_rad - angle(way);
+            assert!(wrap_angle(off_rad).abs() < 1e-9, "tick {}", tick.tick);
+            assert!(decision.born.is_none() && proposed.contains(&aim), "tick {}", tick.tick);
+            bent += 1;
+        }
         if let Some(end) = end {
-            assert!(end.record.record || end.proposed.is_empty(), "only a record proposes");
+            // What a scout finds is learned from whether it is the best of all or not.
+            let learned = end.record.record || !end.replaced.is_empty();
+            assert!(learned || end.proposed.is_empty(), "only a record proposes");
             let aims = end.proposed.iter().map(|proposal| proposal.aim);
             // A3: where a way bends, its second leg is followed next.
             proposed.extend(aims.flat_map(|aim| [Some(aim), aim.after_bend()]).flatten());
         }
     });
     assert!(followed > carried && carried > 0, "{followed} followed, {carried} by new neurons");
+    assert!(bent > 0, "no bend was kept to past a known neuron");
+}
+
+#[test]
+fn a_shortcut_that_set_no_record_is_withdrawn() {
+    let alone = ("learner.scout_from", Value::Integer(0));
+    let settings = with(std::slice::from_ref(&alone));
+    let mut experiment = MinimumCostPath::new(laboratory(), b21(), &settings, 15).expect("fits");
+    let mut open = std::collections::BTreeMap::new();
+    let mut followed = std::collections::BTreeSet::new();
+    let mut withdrawn = 0;
+    run(&mut experiment, 15, |tick, end| {
+        let decision = &tick.decision;
+        if let Some((neuron, aim)) = decision.neuron.zip(decision.aim)
+            && open.get(&neuron) == Some(&aim)
+        {
+            followed.insert(neuron);
+        }
+        let Some(end) = end else { return };
+        assert!(!end.record.record || end.withdrawn.is_empty(), "a record withdraws nothing");
+        for neuron in &end.withdrawn {
+            assert!(followed.contains(neuron), "trial {}: {neuron:?}", end.record.trial);
+            assert!(open.remove(neuron).is_some(), "trial {}: {neuron:?}", end.record.trial);
+            withdrawn += 1;
+        }
+        followed.clear();
+        open.extend(end.proposed.iter().map(|proposal| (proposal.neuron, proposal.aim)));
+    });
+    assert!(withdrawn > 5, "{withdrawn} withdrawn");
+    let kept = with(&[alone, ("shortcut.withdraw", Value::Switch(false))]);
+    let mut experiment = MinimumCostPath::new(laboratory(), b21(), &kept, 15).expect("fits");
+    run(&mut experiment, 15, |_, end| {
+        assert!(end.is_none_or(|end| end.withdrawn.is_empty()));
+    });
+}
+
+#[test]
+fn at_the_end_only_neurons_of_the_record_path_act() {
+    let lossy = ("sonar.critical_angle", Value::Number(25.0));
+    let strays = |keep: bool, seed: u64| {
+        let settings = with(&[lossy.clone(), ("learner.keep_to_record", Value::Switch(keep))]);
+        let mut experiment =
+            MinimumCostPath::new(laboratory(), b21(), &settings, seed).expect("fits");
+        let (mut path, mut record, mut replaced) = (Vec::new(), Vec::new(), 0);
+        let mut strays = [0, 0];
+        run(&mut experiment, 20, |tick, end| {
+            let decision = &tick.decision;
+            path.push(decision.neuron.expect("it learns"));
+            let known = decision.born.is_none() && decision.exploration.temperature_deg == 0.0;
+            let stray = known && !record.contains(&path[path.len() - 1]);
+            strays[0] += usize::from(stray && decision.source == ActionSource::Network);
+            if decision.source == ActionSource::Pursuit {
+                assert!(stray, "tick {}", tick.tick);
+                strays[1] += 1;
+            }
+            if let Some(end) = end {
+                let path = std::mem::take(&mut path);
+                // While a scout looks for another way its own record counts, whatever came before it.
+                if end.record.record || !end.replaced.is_empty() {
+                    record = path;
+                    replaced += 1;
+                }
+            }
+        });
+        assert!(replaced > 1);
+        strays
+    };
+    let sum = |keep| {
+        (47_000..47_010)
+            .map(|seed| strays(keep, seed))
+            .fold([0, 0], |a, b| [a[0] + b[0], a[1] + b[1]])
+    };
+    let (kept, free) = (sum(true), sum(false));
+    assert!(kept[0] == 0 && kept[1] > 0, "{kept:?}");
+    assert!(free[0] > 0 && free[1] == 0, "{free:?}");
+}
+
+/// Mean over seeds of what the last of 20 trials earned, with the goal where it truly was.
+fn true_mean(settings: &Settings, seeds: std::ops::Range<u64>) -> f64 {
+    mean_at_the_end(settings, seeds, |trial| trial.safety + trial.true_goal)
+}
+
+#[test]
+fn the_sonars_correct_an_odometry_that_errs() {
+    let drift = ("odometry.drift", Value::Number(0.02));
+    let corrected = with(std::slice::from_ref(&drift));
+    let alone = with(&[drift, ("odometry.correction", Value::Switch(false))]);
+    // The map is in the frame of the first trial, which errs, too; what is learned needs the same belief at the
+    // same place. How much the error of the heading at the end differs between trials that drive one path:
+    let spread = |errors: &[f64]| {
+        let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+        errors.iter().map(|error| (error - mean).powi(2)).sum::<f64>() / errors.len() as f64
+    };
+    let (mut believed, mut odometry) = (0.0, 0.0);
+    for seed in 48_000..48_010 {
+        let mut experiment =
+            MinimumCostPath::new(laboratory(), b21(), &corrected, seed).expect("fits");
+        let (mut by_sonars, mut alone) = (Vec::new(), Vec::new());
+        run(&mut experiment, 20, |tick, end| {
+            let fix = tick.fix.expect("odometry is corrected");
+            assert!(tick.trial == 1 || tick.step > 1 || fix.echoes > 0, "home is known");
+            if end.is_some() && tick.trial > 15 {
+                by_sonars.push(wrap_angle(tick.pose.heading_rad - tick.true_pose.heading_rad));
+                alone.push(wrap_angle(fix.odometry.heading_rad - tick.true_pose.heading_rad));
+            }
+        });
+        believed += spread(&by_sonars);
+        odometry += spread(&alone);
+    }
+    assert!(believed < odometry / 4.0, "variance of headings {believed}, by odometry {odometry}");
+    let seeds = 48_000..48_030;
+    let (held, lost) = (true_mean(&corrected, seeds.clone()), true_mean(&alone, seeds));
+    assert!(held > lost + 0.05, "corrected {held}, as it is {lost}");
+    // Where nothing errs nothing is corrected, to the bit.
+    let never = with(&[("odometry.correction", Value::Switch(false))]);
+    assert_eq!(records(&never, 16, 8), records(&Settings::default(), 16, 8));
+    let mut experiment =
+        MinimumCostPath::new(laboratory(), b21(), &Settings::default(), 16).expect("fits");
+    run(&mut experiment, 2, |tick, end| {
+        assert_eq!(tick.fix, None);
+        assert!(end.is_none_or(|end| end.record.goal == end.record.true_goal));
+    });
 }
 
 /// Trials that reach the goal, of a run in a world.
@@ -231,11 +365,11 @@ fn a_scout_that_searches_too_long_goes_back_to_the_record_path() {
     let mut experiment =
         MinimumCostPath::new(laboratory(), b21(), &Settings::default(), 13).expect("fits");
     let (mut scouted, mut followed) = (Vec::new(), Vec::new());
-    let mut record = (0, f64::NEG_INFINITY);
-    let trials = run(&mut experiment, 12, |tick, end| {
+    let (mut record, mut limit) = ((0, f64::NEG_INFINITY), 0);
+    let trials = run(&mut experiment, 6, |tick, end| {
         match tick.decision.source {
             ActionSource::Scout => scouted.push((tick.trial, tick.step)),
-            _ if tick.trial == 11 => followed.push(tick.step),
+            _ if tick.trial == 5 => followed.push(tick.step),
             _ => {}
         }
         if let Some(end) = end.filter(|end| end.record.record) {
@@ -243,19 +377,22 @@ fn a_scout_that_searches_too_long_goes_back_to_the_record_path() {
             assert!(total > record.1, "trial {} is no record", end.record.trial);
             record = (end.record.steps, total);
         }
+        if tick.trial == 4 {
+            limit = 3 * record.0 / 2;
+        }
     });
-    assert!(scouted.iter().all(|(trial, _)| [9, 11].contains(trial)), "{scouted:?}");
+    assert!(scouted.iter().all(|(trial, _)| [3, 5].contains(trial)), "{scouted:?}");
     let scouts: Vec<u32> =
         trials.iter().filter(|trial| trial.scout).map(|trial| trial.trial).collect();
-    assert_eq!(scouts, [9, 11]);
+    assert_eq!(scouts, [3, 5]);
     assert!(trials.iter().all(|trial| trial.neurons > 20), "none ends with what was laid aside");
     // To the right the way leads round the whole room; the scout gives up and something else decides.
-    let last = scouted.iter().filter(|(trial, _)| *trial == 11).map(|(_, step)| *step).max();
+    let last = scouted.iter().filter(|(trial, _)| *trial == 5).map(|(_, step)| *step).max();
     let last = last.expect("the second scout set out");
-    assert!(last <= 3 * record.0 / 2 && followed.iter().all(|step| *step > last), "{last}");
-    assert!(trials[10].reached_goal && trials[10].steps > last && !trials[10].record);
+    assert!(last <= limit && followed.iter().all(|step| *step > last), "{last}");
+    assert!(trials[4].reached_goal && trials[4].steps > last && !trials[4].record);
     // What was learned before is there again.
-    assert!((trials[11].total_reinforcement - record.1).abs() < 1.5, "{:?}", trials[11]);
+    assert!((trials[5].total_reinforcement - record.1).abs() < 1.5, "{:?}", trials[5]);
 }
 
 #[test]
@@ -265,9 +402,9 @@ fn what_was_learned_is_there_while_a_scout_looks_for_more() {
     let neurons = |experiment: &MinimumCostPath| -> usize {
         experiment.networks().iter().map(Vec::len).sum()
     };
-    run(&mut experiment, 8, |_, _| {});
+    run(&mut experiment, 2, |_, _| {});
     let learned = experiment.networks();
-    run(&mut experiment, 9, |_, _| {});
+    run(&mut experiment, 3, |_, _| {});
     assert_eq!(experiment.networks(), learned, "the scout's way is longer");
     assert!(experiment.neurons().count() < neurons(&experiment), "which is the one under way");
 }
@@ -275,7 +412,7 @@ fn what_was_learned_is_there_while_a_scout_looks_for_more() {
 #[test]
 fn new_neurons_go_back_to_the_record_path() {
     let drift = ("odometry.drift", Value::Number(0.02));
-    let pursue = with(&[drift.clone(), ("learner.scout_from", Value::Integer(0))]);
+    let pursue = with(&[drift, ("learner.scout_from", Value::Integer(0))]);
     let mut experiment = MinimumCostPath::new(laboratory(), b21(), &pursue, 14).expect("fits");
     let (mut path, mut record) = (Vec::new(), Vec::new());
     let mut pursued = 0;
@@ -307,16 +444,6 @@ fn new_neurons_go_back_to_the_record_path() {
         }
     });
     assert!(pursued > 10, "{pursued} new neurons went back");
-    // It pays under drift, where a replay leaves the path.
-    let copy = with(&[
-        drift,
-        ("learner.scout_from", Value::Integer(0)),
-        ("learner.new_neuron", choice("inherit")),
-    ]);
-    let seeds = 46_000..46_030;
-    let (held, lost) =
-        (mean_total("laboratory", &pursue, seeds.clone()), mean_total("laboratory", &copy, seeds));
-    assert!(held > lost + 0.2, "pursuing {held}, copying {lost}");
 }
 
 #[test]
@@ -415,6 +542,7 @@ fn stepping_aside_spares_collisions_when_the_odometry_drifts() {
     let collisions = |aside_m| {
         let settings = with(&[
             ("odometry.drift", Value::Number(0.02)),
+            ("odometry.correction", Value::Switch(false)),
             ("learner.sidestep", Value::Number(aside_m)),
         ]);
         mean_at_the_end(&settings, 45_000..45_040, |trial| f64::from(trial.collisions))

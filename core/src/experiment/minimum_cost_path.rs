@@ -49,7 +49,6 @@ pub struct NeuronRef<'a> {
 pub struct Checkpoint {
     memory: Memory,
     /// What was heard where (addition A10).
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     sightings: Vec<Sighting>,
 }
 

@@ -88,11 +88,11 @@ pub(super) fn close(
     if record && settings.mean_update == MeanUpdate::Shortcut {
         changes.proposed = propose(settings, robot, goal, memory, path);
     }
-    if !record && settings.shortcut_withdraw && memory.best.is_some() {
-        changes.withdrawn = withdraw(memory, path);
-    }
     if !record && settings.forget_unrecorded && memory.best.is_some() {
         changes.forgotten = forget(memory, born);
+    }
+    if !record && settings.shortcut_withdraw && memory.best.is_some() {
+        changes.withdrawn = withdraw(memory, path);
     }
     for (network, id) in born {
         if let Some(neuron) = memory.networks[*network].get_mut(*id) {

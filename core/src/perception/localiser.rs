@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use crate::geometry::{Pose, Vec2, rotate, unit, wrap_angle};
+use crate::geometry::{Pose, Vec2, angle, rotate, unit, wrap_angle};
 use crate::robot::Readings;
 
 /// Sightings are compared with what is heard up to this far from where they were made, metres.
@@ -141,27 +141,38 @@ impl Localiser {
         let sonars = sonar_m.len();
         let apart_rad = TAU / sonars as f64;
         let offset = estimate.pose.position() - sighting.pose.position();
-        let turned = (estimate.pose.heading_rad - sighting.pose.heading_rad) / apart_rad;
         let is_echo = |reading_m: f64| reading_m < self.range_m.min(FAR_M);
         let echo = |(sonar, reading_m): (usize, &f64)| {
-            let between = (sonar as f64 + turned).rem_euclid(sonars as f64);
-            let (first, share) = (between as usize % sonars, between.fract());
+            // Between which of the echoes heard then this one lies.
+            let ray = unit(estimate.pose.heading_rad + sonar as f64 * apart_rad);
+            let bearing_rad = angle(offset + ray * (reading_m + self.radius_m));
+            let between = wrap_angle(bearing_rad - sighting.pose.heading_rad) / apart_rad;
+            let first = between.rem_euclid(sonars as f64) as usize % sonars;
             let (a_m, b_m) = (sighting.sonar_m[first], sighting.sonar_m[(first + 1) % sonars]);
             let same = (a_m - b_m).abs() <= SAME_SURFACE * a_m.min(b_m);
             if !(same && is_echo(a_m) && is_echo(b_m) && is_echo(*reading_m)) {
                 return None;
             }
-            let then_m = a_m + share * (b_m - a_m);
-            // A flat surface in the direction φ reads r(φ) with r' / r = tan ψ, where ψ is the angle from its
-            // normal to φ; a displacement d brings it nearer by d·n / cos ψ.
-            let slope = (b_m - a_m) / apart_rad;
-            let incidence_rad = libm::atan2(slope, then_m + self.radius_m);
-            let direction_rad = estimate.pose.heading_rad + sonar as f64 * apart_rad;
-            let normal = unit(direction_rad - incidence_rad) / libm::cos(incidence_rad);
-            let spread_m = SPREAD_M + SPREAD * then_m;
+            // A flat surface through both echoes, n·p = D about where they were heard.
+            let heard = |reading_m: f64, sonar: f64| {
+                let direction_rad = sighting.pose.heading_rad + sonar * apart_rad;
+                unit(direction_rad) * (reading_m + self.radius_m)
+            };
+            let (a, b) = (heard(a_m, first as f64), heard(b_m, first as f64 + 1.0));
+            let normal = Vec2::new(b.y - a.y, a.x - b.x).normalize();
+            let distance_m = normal.dot(&a) - normal.dot(&offset);
+            // Along u it is D / (n·u) off.
+            let towards = normal.dot(&ray);
+            let expected_m = distance_m / towards - self.radius_m;
+            let turning = normal.dot(&Vec2::new(-ray.y, ray.x));
+            let spread_m = SPREAD_M + SPREAD * expected_m;
             Some(Echo {
-                innovation_m: reading_m - (then_m - offset.dot(&normal)),
-                gradient: Vector3::new(-normal.x, -normal.y, slope),
+                innovation_m: reading_m - expected_m,
+                gradient: Vector3::new(
+                    -normal.x / towards,
+                    -normal.y / towards,
+                    -distance_m * turning / (towards * towards),
+                ),
                 variance: spread_m * spread_m * sharing,
             })
         };
@@ -204,5 +215,100 @@ impl Estimate {
         }
         let here = self.pose.position() + Vec2::new(shift.x, shift.y);
         self.pose = Pose::new(here.x, here.y, self.pose.heading_rad + shift.z);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use proptest::prelude::*;
+
+    use super::*;
+
+    const SONARS: u32 = 24;
+    const RADIUS_M: f64 = 0.265;
+
+    /// What sonars without a cone read in a room from (-2, -1.5) to (3, 2), whose walls are moved out.
+    fn sense(pose: Pose, moved_m: f64) -> Readings {
+        let read = |sonar: u32| {
+            let ray = unit(pose.heading_rad + TAU * f64::from(sonar) / f64::from(SONARS));
+            let to = |at: f64, along: f64, low: f64, high: f64| {
+                let wall = if along > 0.0 { high + moved_m } else { low - moved_m };
+                if along.abs() < 1e-12 { f64::INFINITY } else { (wall - at) / along }
+            };
+            to(pose.x_m, ray.x, -2.0, 3.0).min(to(pose.y_m, ray.y, -1.5, 2.0)) - RADIUS_M
+        };
+        (0..SONARS).map(read).collect()
+    }
+
+    /// A localiser that has seen the room from the origin, and begins there anew.
+    fn localiser(error: f64) -> Localiser {
+        let mut localiser = Localiser::new(error, 8.0, RADIUS_M, Vec::new());
+        localiser.begin(Pose::default());
+        localiser.locate(Pose::default(), &sense(Pose::default(), 0.0));
+        localiser.begin(Pose::default());
+        localiser
+    }
+
+    /// A step of 0.2 m to the east by odometry.
+    const STEP: Pose = Pose { x_m: 0.2, y_m: 0.0, heading_rad: 0.0 };
+
+    proptest! {
+        #[test]
+        fn what_was_heard_before_tells_where_the_robot_is(
+            advanced_m in 0.14..0.26f64, turned_rad in -0.06..0.06f64,
+        ) {
+            let to = unit(turned_rad) * advanced_m;
+            let truly = Pose::new(to.x, to.y, turned_rad);
+            let (found, fix) = localiser(0.2).locate(STEP, &sense(truly, 0.0));
+            prop_assert_eq!(fix.odometry, STEP);
+            prop_assert!(fix.echoes > 12, "{} echoes", fix.echoes);
+            let off_m = |pose: Pose| pose.distance_to(truly.position());
+            prop_assert!(off_m(found) < 0.2 * off_m(STEP) + 0.012, "{} of {} m", off_m(found), off_m(STEP));
+            let off_rad = (found.heading_rad - turned_rad).abs();
+            prop_assert!(off_rad < 0.2 * turned_rad.abs() + 0.012, "{} of {} rad", off_rad, turned_rad);
+        }
+    }
+
+    #[test]
+    fn what_was_not_there_before_tells_nothing() {
+        let (found, fix) = localiser(0.01).locate(STEP, &sense(STEP, 0.5));
+        assert_eq!(fix.echoes, 0, "every wall is half a metre farther off");
+        assert_eq!(found, STEP);
+    }
+
+    #[test]
+    fn a_place_is_sighted_once_and_the_first_time_says_where_it_is() {
+        let mut localiser = localiser(0.01);
+        let east = |x_m| Pose { x_m, y_m: 0.0, heading_rad: 0.0 };
+        for x_m in [0.0, 0.1, 0.2, 0.3, 0.4] {
+            localiser.locate(east(x_m), &sense(east(x_m), 0.0));
+        }
+        let sighted: Vec<f64> = localiser.sightings().iter().map(|s| s.pose.x_m).collect();
+        assert_eq!(sighted.len(), 3, "0.15 m apart: {sighted:?}");
+        for (found, expected) in sighted.iter().zip([0.0, 0.2, 0.4]) {
+            assert!((found - expected).abs() < 0.01, "{sighted:?}");
+        }
+    }
+
+    #[test]
+    fn without_anything_heard_before_odometry_is_believed_and_doubt_grows() {
+        let mut localiser = Localiser::new(0.01, 8.0, RADIUS_M, Vec::new());
+        localiser.begin(Pose::default());
+        let mut doubt_m = -1.0;
+        for step in 0..10 {
+            let pose = Pose::new(0.5 * f64::from(step), 0.0, 0.0);
+            let (found, fix) = localiser.locate(pose, &sense(Pose::default(), 0.0));
+            assert_eq!((found, fix.echoes), (pose, 0));
+            assert!(fix.spread_m > doubt_m);
+            doubt_m = fix.spread_m;
+        }
+        // Along: 9 advances of 0.5 m, each by 1 %; across: headings by 0.002 rad a step, added up and up. The
+        // first call adds no advance, but a heading.
+        let along = 9.0 * (0.01f64 * 0.5).powi(2);
+        let across: f64 = (1..=9).map(|k| (0.5 * 0.002 * f64::from(10 - k)).powi(2)).sum();
+        let first = (0.5 * 0.002 * 9.0f64).powi(2);
+        assert!((doubt_m - (along + across + first).sqrt()).abs() < 1e-9, "{doubt_m}");
     }
 }

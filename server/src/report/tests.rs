@@ -171,7 +171,7 @@ fn trials_csv_reads_back_to_the_same_bits() {
     let text = csv(&report);
     let table = cells(&text);
     assert_eq!(table.len(), 1 + 20);
-    assert!(table.iter().all(|row| row.len() == 17 + 4), "17 columns and 4 regions");
+    assert!(table.iter().all(|row| row.len() == 18 + 4), "18 columns and 4 regions");
     let columns: [Column<Trial>; 5] = [
         ("temperature_deg", |t| t.temperature_deg),
         ("total_reinforcement", |t| t.total_reinforcement),

@@ -196,6 +196,8 @@ total_reinforcement: number,
 safety: number,
 /** Share of R(n) from the goal part, Eq. (5.7). */
 goal: number,
+/** What `goal` would be, had the robot known where it was; none in logs of older programs. */
+true_goal: number | null,
 /** Neurons after the trial. */
 neurons: number,
 /** Neurons added. */
@@ -214,8 +216,8 @@ scout: boolean,
 temperature_deg: number,
 /** Length of the true path, metres. */
 path_m: number,
-/** Regret R* − R(n): what the best path that a planner finds would have earned more. None when the
- * goal was not reached, no way was planned, or planning is not done yet; never in the log. */
+/** Regret R* − R(n): what the best path that a planner finds would have earned more, with the goal where it
+ * truly was. None when the goal was not reached, no way was planned, or planning is not done yet; never in the log. */
 regret: number | null,
 /** Steps taken in each region, by the region's name. */
 region_steps: { [key in string]: number },
@@ -318,8 +320,10 @@ trial: number,
 step: number,
 /** True pose when sensing. */
 true_pose: PoseView,
-/** Believed pose (odometry) when sensing. */
+/** Believed pose when sensing: by odometry, and by the sonars where it is corrected (A10). */
 pose: PoseView,
+/** How that was found; none where odometry is not corrected. */
+fix: FixView | null,
 /** One reading a sonar, metres from where it sits; `hello` and the robot's file say where each looks. */
 sonar_m: Array<number>,
 /** Strongest infrared reflectance, percent. */
@@ -334,7 +338,8 @@ region: string,
 winner: WinnerView | null,
 /** Neuron added at this situation. */
 born: number | null,
-/** Place of the record path that the action of that neuron makes for, metres (D2). */
+/** Place of the record path that the action makes for, metres: that of a new neuron (D2), or of one that is
+ * not of the record path (A9). */
 toward_m: [number, number] | null,
 /** The reflex, when it was asked, Eq. (5.8). */
 reflex: ReflexView | null,
@@ -350,7 +355,7 @@ utility: number | null,
 aim: AimView | null,
 /** The stochastic unit, Eq. (5.12)-(5.16). */
 exploration: ExplorationView,
-/** `network`, `reflex`, `after-rescue`, `sidestep`, `escape` or `scout`. */
+/** `network`, `reflex`, `after-rescue`, `bend`, `pursuit`, `sidestep`, `escape` or `scout`. */
 source: string,
 /** Action α, degrees, Eq. (5.15). */
 action_deg: number,
@@ -508,6 +513,8 @@ backed_up: Array<ChangeView>,
 replaced: Array<ChangeView>,
 /** Shortcuts proposed (addition A1), with their reason. */
 proposed: Array<ProposalView>,
+/** Neurons whose shortcut was followed without a record and is withdrawn (addition A8). */
+withdrawn: Array<number>,
 /** Neurons deleted (addition D3). */
 forgotten: Array<number>,
 /** All neurons after the trial; centres only where the trial set or moved them. */

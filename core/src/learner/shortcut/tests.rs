@@ -123,6 +123,23 @@ fn a_point_that_cost_clearance_is_moved_off_the_wall() {
     assert!((found.aim.y_m - 0.2).abs() < 1e-12);
 }
 
+#[test]
+fn what_was_heard_close_by_elsewhere_stands_in_the_way() {
+    let settings = LearnerSettings::from(&Settings::default());
+    // Silent from home, an obstacle beside the straight way is heard 0.15 m south of where the second step
+    // begins: its echo touches the body on that way.
+    let mut passed = path(&DETOUR, 8.0);
+    passed[1].sonar_m[18] = 0.15;
+    let found = first(&settings, &[-3.0, -2.0, -1.0], &passed).expect("a proposal");
+    assert_ne!((found.aim.x_m, found.aim.y_m), (1.0, 0.0));
+    // Nobody remembers it, or it is too far for its place to be known.
+    for near_echo_m in [0.0, 0.1] {
+        let settings = LearnerSettings { near_echo_m, ..settings.clone() };
+        let found = first(&settings, &[-3.0, -2.0, -1.0], &passed).expect("a proposal");
+        assert_eq!((found.aim.x_m, found.aim.y_m), (1.0, 0.0), "{near_echo_m}");
+    }
+}
+
 /// Up, and then past a wall to the right; the goal lies beyond the end.
 const ROUND: [[f64; 2]; 4] = [[0.0, 0.0], [0.2, 1.0], [2.0, 1.0], [3.0, 0.6]];
 
