@@ -6,8 +6,8 @@
 use crate::control::ReflexSettings;
 use crate::fuzzy::Inference;
 use crate::learner::{
-    ActionFrame, AfterRescue, Carry, Deviation, Draw, FirstAction, Judge, MeanUpdate,
-    NoveltyMetric, Partition, Replacement, SonarFrame,
+    ActionFrame, Carry, Deviation, Draw, FirstAction, Judge, MeanUpdate, NoveltyMetric, Partition,
+    Replacement, SonarFrame,
 };
 use crate::robot::SimulationSettings;
 
@@ -69,7 +69,6 @@ crate::settings! {
         first_action: FirstAction = FirstAction::Pursue, "learner.new_neuron" "", Deviation, "D2; section 5.7", "Where the first action of a new neuron comes from";
         keep_to_record: bool = true, "learner.keep_to_record" "", Addition, "A9", "At temperature 0 a neuron that is not of the record path goes back to it, as a new one does";
         forget_unrecorded: bool = true, "learner.forget_unrecorded" "", Deviation, "D3; section 5.9", "Delete the neurons born in a trial that set no record";
-        after_rescue: AfterRescue = AfterRescue::Reflex, "learner.after_rescue" "", Addition, "D5; Algorithm 9", "Who chooses the step after a collision";
         discount: f64 = 0.7, "learner.discount" [0.0, 1.0] "", Literal, "Eq. (5.18), γ", "Discounting factor";
         temporal_difference: bool = true, "learner.temporal_difference" "", Literal, "Eq. (5.20), (5.25)", "Adapt utilities and centres by the TD error";
         utility_reward_rate: f64 = 0.5, "learner.utility_reward_rate" [0.0, 1.0] "", Literal, "Eq. (5.20), η_r", "Learning rate of a utility when δ > 0";

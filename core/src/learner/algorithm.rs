@@ -19,9 +19,9 @@ use super::memory::{Memory, Start};
 use super::stochastic::{eligibility, explore};
 use super::trial_end::{Changes, PathStep, close};
 use super::{
-    ActionFrame, ActionSource, Adaptation, AfterRescue, Aim, Birth, BirthCause, Consequence,
-    Decision, Draw, Exploration, Guide, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId,
-    Observation, Origin, Partition, Winner, annealing, reinforcement,
+    ActionFrame, ActionSource, Adaptation, Aim, Birth, BirthCause, Consequence, Decision, Draw,
+    Exploration, Guide, Input, LearnerSettings, MeanUpdate, Neuron, NeuronId, Observation, Origin,
+    Partition, Winner, annealing, reinforcement,
 };
 use crate::control::{Reflex, ReflexTrace};
 use crate::geometry::{Pose, Vec2, angle, unit, wrap_angle};
@@ -323,7 +323,7 @@ impl Learner {
         let winner = self.memory.networks[situation.network]
             .winner(&situation.input)
             .map(|(neuron, squared)| (Acting::from(situation.network, neuron), squared));
-        let (acting, born) = match self.cause_of_birth(situation, winner.as_ref()) {
+        let (acting, born) = match self.cause_of_birth(winner.as_ref()) {
             None => (self.generalise(winner.map(|(acting, _)| acting)), None),
             Some(cause) => {
                 let acting = self.grow(situation, cause, leg, &mut reflex);
@@ -347,8 +347,7 @@ impl Learner {
             &mut self.rng,
         );
         self.drawn = Some((acting.neuron, exploration.drawn_deg));
-        let (action_rad, source) =
-            self.choose(situation, &acting, guide, &mut exploration, &mut reflex);
+        let (action_rad, source) = self.choose(situation, &acting, guide, &mut exploration);
         self.wait_for_consequence(situation, &acting, &exploration, action_rad);
         Decision {
             goal_distance_m: situation.observation.pose.distance_to(self.goal),
@@ -381,7 +380,6 @@ impl Learner {
         acting: &Acting,
         guide: Option<Guide>,
         exploration: &mut Exploration,
-        reflex: &mut Option<ReflexTrace>,
     ) -> (f64, ActionSource) {
         let left = self.memory.scout_turns_left();
         if let Some(heading_rad) = self.escape(situation, left) {
@@ -389,20 +387,9 @@ impl Learner {
             let source = left.map_or(ActionSource::Escape, |_| ActionSource::Scout);
             return (wrap_angle(heading_rad - situation.frame_rad), source);
         }
-        // NOTE (D5): Algorithm 9 rescues the robot and lets the same winner try the same way again; here
-        // the step after a rescue is the reflex's.
-        let rescued = situation.collided() && self.settings.after_rescue == AfterRescue::Reflex;
-        let (start_rad, source) = if rescued {
-            let advice = *reflex.get_or_insert_with(|| self.advise(situation));
-            if self.memory.best.is_some() {
-                exploration.xi_deg = 0.0;
-            }
-            (situation.action(advice.rotation_rad), ActionSource::AfterRescue)
-        } else {
-            match guide {
-                Some(Guide { source, place }) => (self.towards(situation, place), source),
-                None => (acting.prototypical_rad, ActionSource::Network),
-            }
+        let (start_rad, source) = match guide {
+            Some(Guide { source, place }) => (self.towards(situation, place), source),
+            None => (acting.prototypical_rad, ActionSource::Network),
         };
         // Eq. (5.15): α = p_i + ξ
         let action_rad = wrap_angle(start_rad + exploration.xi_deg.to_radians());
@@ -437,15 +424,8 @@ impl Learner {
     }
 
     /// Why a neuron must be added here, if it must.
-    fn cause_of_birth(
-        &self,
-        situation: &Situation<'_>,
-        winner: Option<&(Acting, f64)>,
-    ) -> Option<BirthCause> {
+    fn cause_of_birth(&self, winner: Option<&(Acting, f64)>) -> Option<BirthCause> {
         let Some((_, squared)) = winner else { return Some(BirthCause::Empty) };
-        if situation.collided() && self.settings.after_rescue == AfterRescue::NewNeuron {
-            return Some(BirthCause::Rescue);
-        }
         // Section 5.7: ‖x - c_i‖ > ς is new; otherwise Eq. (5.11): x = c_i, V(x) = u_i
         let distance = self.settings.novelty_metric.of(*squared);
         (distance > self.settings.novelty).then_some(BirthCause::Distance { distance })

@@ -47,8 +47,6 @@ pub enum BirthCause {
         /// The TD error.
         delta: f64,
     },
-    /// Forced after a rescue (setting `learner.after_rescue = new-neuron`).
-    Rescue,
 }
 
 /// Where a neuron's first prototypical action came from.
@@ -95,8 +93,6 @@ pub enum ActionSource {
     Network,
     /// The bare reflex, because learning is off.
     Reflex,
-    /// A reflex step after a rescue (addition D5).
-    AfterRescue,
     /// Along a way that bends, past a neuron that would do something else (addition A3).
     Bend,
     /// Back to the record path, where a neuron won that is not of it (addition A9).

@@ -42,6 +42,6 @@ pub use memory::Memory;
 pub use network::{Network, Neuron, NoveltyMetric, Partition};
 pub use reward::{RewardSettings, goal_part, reinforcement};
 pub use settings::{
-    ActionFrame, AfterRescue, Carry, Deviation, Draw, FirstAction, Judge, LearnerSettings,
-    MeanUpdate, Replacement,
+    ActionFrame, Carry, Deviation, Draw, FirstAction, Judge, LearnerSettings, MeanUpdate,
+    Replacement,
 };

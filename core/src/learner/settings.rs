@@ -24,15 +24,6 @@ crate::choice! {
 }
 
 crate::choice! {
-    /// Who chooses the step after a rescue.
-    pub enum AfterRescue {
-        Reflex = "reflex": "the reflex, for one step",
-        NewNeuron = "new-neuron": "a neuron forced at the situation, which asks the reflex",
-        Network = "network": "the winner as ever, as printed",
-    }
-}
-
-crate::choice! {
     /// Standard deviation of the draw for a given σ.
     pub enum Deviation {
         Half = "half": "σ/√2: Eq. (5.12) as printed lacks the 2 of a normal density",
@@ -105,7 +96,6 @@ pub struct LearnerSettings {
     pub first_action: FirstAction,
     pub keep_to_record: bool,
     pub forget_unrecorded: bool,
-    pub after_rescue: AfterRescue,
     pub discount: f64,
     pub temporal_difference: bool,
     pub utility_rates: (f64, f64),
@@ -160,7 +150,6 @@ impl From<&Settings> for LearnerSettings {
             first_action: settings.first_action,
             keep_to_record: settings.keep_to_record,
             forget_unrecorded: settings.forget_unrecorded,
-            after_rescue: settings.after_rescue,
             discount: settings.discount,
             temporal_difference: settings.temporal_difference,
             utility_rates: (settings.utility_reward_rate, settings.utility_penalty_rate),

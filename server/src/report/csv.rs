@@ -122,11 +122,9 @@ const TICK_COLUMNS: [Column<TickView>; 52] = [
     column("reflex_rotation_deg", "rotation of the reflex, when it was asked", |t| {
         optional(t.reflex.map(|reflex| reflex.rotation_deg))
     }),
-    column(
-        "source",
-        "network, reflex, after-rescue, bend, pursuit, sidestep, escape or scout",
-        |t| t.source.clone(),
-    ),
+    column("source", "network, reflex, bend, pursuit, sidestep, escape or scout", |t| {
+        t.source.clone()
+    }),
     column("neuron", "neuron in charge", |t| optional(t.neuron)),
     column("utility", "its utility u", |t| optional(t.utility)),
     column("prototypical_deg", "its prototypical action p", |t| t.prototypical_deg.to_string()),

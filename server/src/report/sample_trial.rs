@@ -82,7 +82,7 @@ fn tick(trial: &Trial, step: u32) -> TickView {
             drawn_deg: -7.1,
             xi_deg: -7.1,
         },
-        source: if step == 12 { "after-rescue" } else { "network" }.into(),
+        source: if step == 12 { "sidestep" } else { "network" }.into(),
         action_deg: 35.0 * (0.2 * turn).sin() - 7.1,
         action_frame: "heading".into(),
         rotation_deg: -3.4,

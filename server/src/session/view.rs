@@ -163,7 +163,6 @@ fn source(source: ActionSource) -> &'static str {
     match source {
         ActionSource::Network => "network",
         ActionSource::Reflex => "reflex",
-        ActionSource::AfterRescue => "after-rescue",
         ActionSource::Bend => "bend",
         ActionSource::Pursuit => "pursuit",
         ActionSource::Sidestep => "sidestep",
@@ -277,7 +276,6 @@ impl From<&Birth> for BirthView {
             BirthCause::Empty => ("empty", None),
             BirthCause::Distance { distance } => ("distance", Some(distance)),
             BirthCause::Error { delta } => ("error", Some(delta)),
-            BirthCause::Rescue => ("rescue", None),
         };
         let parent = match birth.origin {
             Origin::Reflex | Origin::Pursuit { .. } => None,

@@ -66,7 +66,7 @@ pub struct TickView {
     pub aim: Option<AimView>,
     /// The stochastic unit, Eq. (5.12)-(5.16).
     pub exploration: ExplorationView,
-    /// `network`, `reflex`, `after-rescue`, `bend`, `pursuit`, `sidestep`, `escape` or `scout`.
+    /// `network`, `reflex`, `bend`, `pursuit`, `sidestep`, `escape` or `scout`.
     pub source: String,
     /// Action α, degrees, Eq. (5.15).
     pub action_deg: f64,

@@ -32,7 +32,7 @@ fn declarations(config: &Config) -> Vec<String> {
         ExperimentInfo, RobotInfo, PresetInfo, WorldInfo, SettingInfo, Choice,
         State, Family, Speed, NamedSpeed, NewSession, Session, Ack, StepRequest, StepUnit, SpeedRequest,
         Trial, Summary, RunResult, Yardstick, PlannedPath, Problem,
-        PoseView, TickView, WinnerView, ReflexView, ExplorationView, AdaptationView, OutcomeView,
+        PoseView, TickView, FixView, WinnerView, ReflexView, ExplorationView, AdaptationView, OutcomeView,
         NeuronView, BirthView, TrialEndView, ChangeView, AimView, ProposalView,
         StartView, AlteredStartView, ExcursionView, NetworkFile, InputSpans, GoalView,
         ServerMessage, Hello, WorldView, SonarView, CurvePoint, LogEntry,

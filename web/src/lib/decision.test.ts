@@ -35,7 +35,6 @@ describe('a decision in words', () => {
         toward_m: [1.5, -0.25],
       },
     ],
-    ['A rescue forced neuron 18 in the room, beside neuron 17', { born: 18, neuron: 18 }],
     ['No neuron is in charge in the room: learning is off', { winner: null, neuron: null }],
   ])('tells growth: %s', (sentence, changes) => {
     expect(told(changes)[0]).toBe(sentence);
@@ -62,7 +61,6 @@ describe('a decision in words', () => {
 
   it('tells who drove', () => {
     expect(told({ source: 'reflex' })[2]).toMatch(/^The bare reflex drove/);
-    expect(told({ source: 'after-rescue' })[2]).toMatch(/^After the rescue the reflex chose/);
   });
 
   it('tells what led the robot past its neuron', () => {

@@ -30,7 +30,6 @@ export function birthWords(neuron: NeuronView): string {
     empty: 'the region had no neuron yet',
     distance: `the nearest neuron was too far (${figure})`,
     error: `the TD error was too large (${figure})`,
-    rescue: 'a rescue forced a new neuron',
   };
   return `Added because ${why[cause] ?? cause}; action ${firstAction(neuron.birth)}`;
 }
@@ -53,8 +52,6 @@ function situation(tick: TickView, settings: Settings): string {
   const against = (symbol: string) =>
     Number.isFinite(width) ? `${number(value)} ${symbol} ${number(width)}` : number(value);
   if (tick.born === null) return `Neuron ${neuron} won ${place} (${sign} ${against('≤')})`;
-  if (value <= width)
-    return `A rescue forced neuron ${tick.born} ${place}, beside neuron ${neuron}`;
   const origin = tick.toward_m
     ? `it makes for ${point(tick.toward_m)} of the record path`
     : tick.reflex
@@ -88,7 +85,6 @@ function course(before: number, after: number): string {
 function action(tick: TickView): string {
   const turn = turnWords(tick.rotation_deg);
   if (tick.source === 'reflex') return `The bare reflex drove: ${turn}`;
-  if (tick.source === 'after-rescue') return `After the rescue the reflex chose this step: ${turn}`;
   if (tick.source === 'bend' && tick.aim)
     return `Past neuron ${tick.neuron} the robot kept to the way that bends, to ${place(tick.aim)}: ${turn}`;
   if (tick.source === 'pursuit' && tick.toward_m)
@@ -128,7 +124,10 @@ function consequence({ outcome }: TickView): string {
 function fixFacts({ fix, pose }: TickView): [string, string][] {
   if (!fix) return [];
   const off_m = Math.hypot(fix.odometry.x_m - pose.x_m, fix.odometry.y_m - pose.y_m);
-  const echoes = fix.echoes > 0 ? `${fix.echoes} ${fix.echoes === 1 ? 'echo' : 'echoes'} agree` : 'nothing heard here before';
+  const echoes =
+    fix.echoes > 0
+      ? `${fix.echoes} ${fix.echoes === 1 ? 'echo' : 'echoes'} agree`
+      : 'nothing heard here before';
   return [['Odometry alone', `${metres(off_m)} off; ${echoes}`]];
 }
 

@@ -355,7 +355,7 @@ utility: number | null,
 aim: AimView | null,
 /** The stochastic unit, Eq. (5.12)-(5.16). */
 exploration: ExplorationView,
-/** `network`, `reflex`, `after-rescue`, `bend`, `pursuit`, `sidestep`, `escape` or `scout`. */
+/** `network`, `reflex`, `bend`, `pursuit`, `sidestep`, `escape` or `scout`. */
 source: string,
 /** Action α, degrees, Eq. (5.15). */
 action_deg: number,
@@ -369,6 +369,15 @@ outcome: OutcomeView,
 neurons: number,
 /** Total reinforcement of the trial so far. */
 total_reinforcement: number, };
+
+/** A pose found by odometry and sonars (A10). */
+export type FixView = {
+/** The pose by odometry alone. */
+odometry: PoseView,
+/** Echoes that agreed with what was heard here before; 0 where nothing was. */
+echoes: number,
+/** Standard deviation of the position, metres. */
+spread_m: number, };
 
 /** The nearest neuron. */
 export type WinnerView = {

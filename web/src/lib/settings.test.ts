@@ -95,10 +95,10 @@ it('groups by prefix and searches every word, but not preset and world', () => {
 
 it('says ranges and values', () => {
   expect(range({ ...noise, unit: 'm' })).toBe('0 to 2 m');
-  expect([said(true), said(-3), said('after-rescue'), said(undefined)]).toEqual([
+  expect([said(true), said(-3), said('sonar-range'), said(undefined)]).toEqual([
     'on',
     '−3',
-    'after-rescue',
+    'sonar-range',
     '–',
   ]);
 });
