@@ -33,7 +33,6 @@ crate::settings! {
         infrared_threshold_pct: f64 = 70.0, "infrared.threshold" [1.0, 99.0] "%", Literal, "section 5.5", "Reflectance above which a virtual collision is reported";
         infrared_reflectance: f64 = 0.875, "infrared.reflectance" [0.1, 1.0] "", Gap, "section 5.5, note", "Reflectance of the walls; 0.875 puts the virtual collision at 0.10 m, 1 at 0.15 m";
         odometry_drift: f64 = 0.0, "odometry.drift" [0.0, 0.2] "", Simulation, "section 5.5", "Odometry error as a share of each rotation and advance";
-        odometry_correction: bool = true, "odometry.correction" "", Addition, "A10", "Correct an odometry that errs by what the sonars heard in the same places before; needs an even ring of sonars";
         advance_m: f64 = 0.2, "motion.advance" [0.05, 1.0] "m", Literal, "section 5.4", "Way advanced after each rotation";
         clear_to_m: f64 = 0.15, "motion.clear_to" [0.02, 0.5] "m", Gap, "section 5.5", "Clearance at which a rescue ends";
         back_min_m: f64 = 0.1, "motion.back_least" [0.0, 0.5] "m", Gap, "section 5.5", "Least way backed off in a rescue";
@@ -67,7 +66,6 @@ crate::settings! {
         deviation: Deviation = Deviation::Half, "learner.sigma_reading" "", Reading, "Eq. (5.12)", "Standard deviation of the draw for a given σ";
         draw: Draw = Draw::Step, "learner.draw" "", Literal, "Algorithm 9", "How long a draw of the stochastic unit holds";
         first_action: FirstAction = FirstAction::Pursue, "learner.new_neuron" "", Deviation, "D2; section 5.7", "Where the first action of a new neuron comes from";
-        keep_to_record: bool = true, "learner.keep_to_record" "", Addition, "A9", "At temperature 0 a neuron that is not of the record path goes back to it, as a new one does";
         forget_unrecorded: bool = true, "learner.forget_unrecorded" "", Deviation, "D3; section 5.9", "Delete the neurons born in a trial that set no record";
         discount: f64 = 0.7, "learner.discount" [0.0, 1.0] "", Literal, "Eq. (5.18), γ", "Discounting factor";
         temporal_difference: bool = true, "learner.temporal_difference" "", Literal, "Eq. (5.20), (5.25)", "Adapt utilities and centres by the TD error";
@@ -88,11 +86,13 @@ crate::settings! {
         echo_width: f64 = 0.5, "shortcut.echo_width" [0.0, 1.0] "", Addition, "A1, A2, A3, A4, A5; tuned", "Share of a sonar cone from which an echo may have come";
         shortcut_bend: bool = true, "shortcut.bend" "", Addition, "A3", "A shortcut may bend once, at a place in view from both its ends";
         shortcut_bend_gain: f64 = 0.2, "shortcut.bend_gain" [0.0, 10.0] "", Addition, "A3, tuned", "Reinforcement that a bend must promise over the best straight way";
-        near_echo_m: f64 = 0.3, "shortcut.near_echoes" [0.0, 10.0] "m", Addition, "A7, tuned", "Echoes heard from nearer than this anywhere on the record path count for every shortcut; 0: none do";
-        shortcut_withdraw: bool = true, "shortcut.withdraw" "", Addition, "A8", "A shortcut that was followed in a trial without a record is withdrawn";
         sidestep_m: f64 = 0.15, "learner.sidestep" [0.0, 1.0] "m", Addition, "A4; the clearance at which a rescue ends", "Clearance of the next step below which it is turned aside, once a trial has succeeded; 0: never";
         escape_after: u32 = 25, "learner.escape_after" [0.0, 100_000.0] "", Addition, "A5, tuned", "Steps without coming nearer to the goal after which the robot follows the obstacle; 0: never";
         scout_from: u32 = 3, "learner.scout_from" [0.0, 100_000.0] "trial", Addition, "A6, tuned", "Trial in which the first of two scouts looks for another way, the second two trials later, once a trial has succeeded; 0: none";
+        near_echo_m: f64 = 0.3, "shortcut.near_echoes" [0.0, 10.0] "m", Addition, "A7, tuned", "Echoes heard from nearer than this anywhere on the record path count for every shortcut; 0: none do";
+        shortcut_withdraw: bool = true, "shortcut.withdraw" "", Addition, "A8", "A shortcut that was followed in a trial without a record is withdrawn";
+        keep_to_record: bool = true, "learner.keep_to_record" "", Addition, "A9", "At temperature 0 a neuron that is not of the record path goes back to it, as a new one does";
+        odometry_correction: bool = true, "odometry.correction" "", Addition, "A10", "Correct an odometry that errs by what the sonars heard in the same places before; needs an even ring of sonars";
     }
 }
 

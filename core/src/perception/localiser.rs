@@ -49,7 +49,7 @@ pub struct Sighting {
 pub struct Fix {
     /// The pose by odometry alone.
     pub odometry: Pose,
-    /// Echoes that agreed with what was heard here before; 0 where nothing was.
+    /// Echoes that agreed with the nearest of what was heard here before; 0 where nothing was.
     pub echoes: u32,
     /// Standard deviation of the position, metres: the root of the sum of both variances.
     pub spread_m: f64,
@@ -99,18 +99,20 @@ impl Localiser {
         near.sort_by(|a, b| a.0.total_cmp(&b.0));
         near.truncate(COMPARED);
         let is_new = near.first().is_none_or(|(away_m, _)| *away_m > APART_M);
-        let mut estimate = Estimate { pose: self.pose, covariance: self.covariance, echoes: 0 };
+        let mut estimate = Estimate { pose: self.pose, covariance: self.covariance };
+        let mut agreed = Vec::with_capacity(COMPARED);
         for (_, sighting) in &near {
             // Two sightings of one place tell little more than one: each counts for its share.
             let echoes = self.expected(&estimate, sighting, sonar_m, near.len() as f64);
-            estimate.correct(&echoes);
+            agreed.push(estimate.correct(&echoes));
         }
         (self.pose, self.covariance) = (estimate.pose, estimate.covariance);
         if is_new && self.sightings.len() < MOST {
             self.sightings.push(Sighting { pose: self.pose, sonar_m: sonar_m.to_vec() });
         }
         let spread_m = (self.covariance[(0, 0)] + self.covariance[(1, 1)]).max(0.0).sqrt();
-        (self.pose, Fix { odometry, echoes: estimate.echoes, spread_m })
+        let echoes = agreed.first().copied().unwrap_or(0);
+        (self.pose, Fix { odometry, echoes, spread_m })
     }
 
     /// Moves the estimate as the odometry moved: a rotation, then an advance, each with its error.
@@ -193,12 +195,12 @@ struct Echo {
 struct Estimate {
     pose: Pose,
     covariance: Matrix3<f64>,
-    echoes: u32,
 }
 
 impl Estimate {
-    /// Takes echoes in, one after the other.
-    fn correct(&mut self, echoes: &[Echo]) {
+    /// Takes echoes in, one after the other, and says how many agreed.
+    fn correct(&mut self, echoes: &[Echo]) -> u32 {
+        let mut agreed = 0;
         let mut shift = Vector3::zeros();
         for Echo { innovation_m, gradient, variance } in echoes {
             let innovation_m = innovation_m - gradient.dot(&shift);
@@ -211,10 +213,11 @@ impl Estimate {
             let gain = spread / total;
             shift += gain * innovation_m;
             self.covariance -= gain * spread.transpose();
-            self.echoes += 1;
+            agreed += 1;
         }
         let here = self.pose.position() + Vec2::new(shift.x, shift.y);
         self.pose = Pose::new(here.x, here.y, self.pose.heading_rad + shift.z);
+        agreed
     }
 }
 

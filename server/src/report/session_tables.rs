@@ -30,7 +30,7 @@ pub(super) fn trials_table(report: &SessionReport) -> Markup {
         @if report.trials.is_empty() { tr { td colspan="13" { "No trial has ended yet" } } }
     };
     let caption = "R(n) = f₁ + f₂, safety and goal; in brackets what was paid until the trial was capped; \
-         R* is what the best path a planner finds earns";
+         R* is what the best path a planner finds earns, and the regret is reckoned with the goal where it truly was";
     table("trials", caption, &HEADINGS, rows)
 }
 

@@ -15,10 +15,11 @@ export function plannedWords(yardstick: Yardstick): string {
   }
 }
 
-/** A trial with its regret R* − R(n), where it has one. */
+/** A trial with its regret R* − R(n), where it has one: with the goal where it truly was, as the planner has it. */
 export function withRegret(trial: Trial, yardstick: Yardstick): Trial {
   if (yardstick.state !== 'ready' || !trial.reached_goal) return { ...trial, regret: null };
-  return { ...trial, regret: yardstick.total_reinforcement - trial.total_reinforcement };
+  const truly = trial.safety + (trial.true_goal ?? trial.goal);
+  return { ...trial, regret: yardstick.total_reinforcement - truly };
 }
 
 /** A regret in percent of what the best path costs; empty where that is nothing. */
