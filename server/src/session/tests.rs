@@ -1,8 +1,10 @@
 //! The laboratory as a whole: controls, waiting, mishaps.
 
+use serde_json::json;
+
 use crate::session::{Control, ControlError};
-use crate::testing::{House, MAX, SLOW, undisturbed};
-use crate::wire::{Speed, State, StepUnit};
+use crate::testing::{House, MAX, SLOW, request, undisturbed};
+use crate::wire::{NewSession, PlannedPath, Speed, State, StepUnit, TickView, Trial, Yardstick};
 
 use Control::{Pause, Reset, Resume, Start, Stop};
 const TICK: Control = Control::Step(StepUnit::Tick);
@@ -129,6 +131,32 @@ async fn where_new_neurons_make_for_and_what_scouts_do_is_told() {
     assert!(
         told.peek().is_some() && told.all(|tick| tick.born.is_some() || tick.source == "pursuit")
     );
+}
+
+#[tokio::test]
+async fn where_odometry_is_off_and_what_that_makes_of_a_trial_is_told() {
+    let house = House::new();
+    let settings = [("odometry.drift".to_owned(), json!(0.02))].into();
+    let request = NewSession { settings, ..request(3, MAX) };
+    let id = house.lab().create(&request).expect("a good request").id;
+    house.control(&id, Start).await;
+    house.until_state(&id, State::Finished).await;
+    let ticks = house.lab().store().ticks(&id, 1, u64::MAX).expect("readable");
+    let off = |tick: &TickView| tick.fix.is_some_and(|fix| fix.odometry != tick.pose);
+    assert!(ticks.iter().all(|tick| tick.fix.is_some()) && ticks.iter().any(off));
+    let trials = house.lab().store().trials(&id).expect("readable");
+    assert!(trials.iter().all(|trial| trial.true_goal.is_some_and(|goal| goal != trial.goal)));
+    let yardstick = Yardstick::Ready(PlannedPath {
+        total_reinforcement: -4.0,
+        steps: 27,
+        collisions: 0,
+        resolution: 0.01,
+        path_m: Vec::new(),
+    });
+    let trial = &Trial { safety: -1.0, goal: -5.0, true_goal: Some(-4.5), ..trials[1].clone() };
+    assert_eq!(yardstick.regret(trial), Some(1.5));
+    let old = &Trial { true_goal: None, ..trial.clone() };
+    assert_eq!(yardstick.regret(old), Some(2.0), "an older log does not say");
 }
 
 #[tokio::test]
