@@ -62,6 +62,11 @@ impl<'a> Echoes<'a> {
         }
     }
 
+    /// Adds places where something was heard elsewhere.
+    pub(super) fn add(&mut self, places: &[Vec2]) {
+        self.points.extend(places);
+    }
+
     /// Where the echoes may have come from, odometry frame, metres.
     pub(super) fn into_points(self) -> Vec<Vec2> {
         self.points
@@ -113,11 +118,10 @@ pub(super) struct Beside {
 }
 
 impl Beside {
-    /// The echoes, of some views and near ones, to which the body may come as near as a clearance in metres, on the
+    /// The echoes of some views to which the body may come as near as a clearance in metres, on the
     /// way from a place along a unit vector.
     pub(super) fn new(
         views: &[&Echoes<'_>],
-        near: &[Vec2],
         from: Vec2,
         direction: Vec2,
         length_m: f64,
@@ -132,10 +136,9 @@ impl Beside {
             (across.abs() <= near_m) & (along >= -near_m) & (along <= length_m + near_m)
         };
         // Without a branch for each echo: every place is written, and kept by counting on.
-        let heard: usize = views.iter().map(|view| view.points.len()).sum();
-        let mut points = vec![Vec2::zeros(); heard + near.len()];
+        let mut points = vec![Vec2::zeros(); views.iter().map(|view| view.points.len()).sum()];
         let mut count = 0;
-        for echo in views.iter().flat_map(|view| &view.points).chain(near) {
+        for echo in views.iter().flat_map(|view| &view.points) {
             points[count] = *echo;
             count += usize::from(is_near(*echo));
         }
@@ -185,7 +188,7 @@ mod tests {
             let poses = [Pose::new(0.0, 0.0, 0.3), Pose::new(x, y, heading_rad)];
             let views = [0, 1].map(|k| Echoes::new(&robot, poses[k], &readings[k], hearing));
             let (from, direction) = (Vec2::new(y, x), unit(2.0 * heading_rad));
-            let beside = Beside::new(&[&views[0], &views[1]], &[], from, direction, length_m, asked_m);
+            let beside = Beside::new(&[&views[0], &views[1]], from, direction, length_m, asked_m);
             let at = from + direction * (share * length_m);
             let all_m = views[0].clearance_m(at).min(views[1].clearance_m(at));
             // What is asked for is told to the bit, and what is farther is told to be farther.

@@ -33,10 +33,8 @@ pub(super) struct Surveyor<'a> {
     goal: Vec2,
     memory: &'a Memory,
     path: &'a [PathStep],
-    /// What was heard where each step was decided.
+    /// What was heard where each step was decided, and close by at any step (A7).
     views: Vec<Echoes<'a>>,
-    /// Echoes heard close by at any step (A7).
-    near: Vec<Vec2>,
 }
 
 /// A way that a neuron could propose.
@@ -74,15 +72,20 @@ impl<'a> Surveyor<'a> {
         memory: &'a Memory,
         path: &'a [PathStep],
     ) -> Self {
-        let views = path.iter().map(|step| settings.echoes(robot, step.pose, &step.sonar_m));
         // NOTE (A7): a surface that throws the echo of a slanting beam away is silent from where a shortcut
         // begins, and was heard where the robot passed it. Far echoes tell less: a cone blurs their place.
         let near_m = settings.near_echo_m;
         let near = path.iter().flat_map(|step| {
             settings.echoes_within(robot, step.pose, &step.sonar_m, near_m).into_points()
         });
-        let (views, near) = (views.collect(), thinned(near));
-        Self { settings, robot, goal, memory, path, views, near }
+        let near = thinned(near);
+        let view = |step: &'a PathStep| {
+            let mut view = settings.echoes(robot, step.pose, &step.sonar_m);
+            view.add(&near);
+            view
+        };
+        let views = path.iter().map(view).collect();
+        Self { settings, robot, goal, memory, path, views }
     }
 
     /// The proposal of each step of the path that has one.
@@ -239,7 +242,7 @@ impl<'a> Surveyor<'a> {
     /// The echoes that can count on a straight way.
     fn beside(&self, from: Vec2, direction: Vec2, length_m: f64, views: &[&Echoes<'_>]) -> Beside {
         let counts_m = self.settings.shortcut_clearance_m.max(self.settings.reward.close_m);
-        Beside::new(views, &self.near, from, direction, length_m, counts_m)
+        Beside::new(views, from, direction, length_m, counts_m)
     }
 
     /// Reinforcement of a step that ends at a place; none when the echoes do not leave room.
