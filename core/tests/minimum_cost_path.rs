@@ -214,7 +214,7 @@ fn a_shortcut_that_set_no_record_is_withdrawn() {
     let mut open = std::collections::BTreeMap::new();
     let mut followed = std::collections::BTreeSet::new();
     let mut withdrawn = 0;
-    run(&mut experiment, 15, |tick, end| {
+    run(&mut experiment, 20, |tick, end| {
         let decision = &tick.decision;
         if let Some((neuron, aim)) = decision.neuron.zip(decision.aim)
             && open.get(&neuron) == Some(&aim)
@@ -222,6 +222,8 @@ fn a_shortcut_that_set_no_record_is_withdrawn() {
             followed.insert(neuron);
         }
         let Some(end) = end else { return };
+        let followed_any = decision.exploration.temperature_deg > 0.0;
+        assert!(followed_any || end.withdrawn.is_empty(), "at temperature 0 none is followed");
         assert!(!end.record.record || end.withdrawn.is_empty(), "a record withdraws nothing");
         for neuron in &end.withdrawn {
             assert!(followed.contains(neuron), "trial {}: {neuron:?}", end.record.trial);

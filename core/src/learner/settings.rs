@@ -53,7 +53,7 @@ crate::choice! {
     pub enum Carry {
         HandOver = "hand-over": "carries the shortcut on, and takes over from the neuron where it ends",
         Way = "way": "carries the shortcut on until it ends",
-        Off = "off": "asks its nearest neighbour, as any other",
+        Off = "off": "does what any other new neuron does",
     }
 }
 

@@ -2,7 +2,9 @@
 
 use super::memory::Waypoint;
 use super::shortcut::Surveyor;
-use super::{Aim, Change, LearnerSettings, MeanUpdate, Memory, NeuronId, Proposal, Replacement};
+use super::{
+    Aim, Change, LearnerSettings, MeanUpdate, Memory, NeuronId, Proposal, Replacement, annealing,
+};
 use crate::geometry::{Pose, Vec2};
 use crate::robot::{Readings, Robot};
 
@@ -91,7 +93,9 @@ pub(super) fn close(
     if !record && settings.forget_unrecorded && memory.best.is_some() {
         changes.forgotten = forget(memory, born);
     }
-    if !record && settings.shortcut_withdraw && memory.best.is_some() {
+    let trial = memory.trials + 1;
+    let explored = annealing::effective(settings, memory.temperature_deg, trial) > 0.0;
+    if !record && settings.shortcut_withdraw && memory.best.is_some() && explored {
         changes.withdrawn = withdraw(memory, path);
     }
     for (network, id) in born {

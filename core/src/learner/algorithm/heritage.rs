@@ -1,4 +1,4 @@
-//! Where the first action of a new neuron comes from.
+//! Where the first action of a new neuron comes from, and what leads a known one past its own.
 
 use super::{Acting, Learner, Situation};
 use crate::control::ReflexTrace;
