@@ -210,30 +210,34 @@ fn a_shortcut_is_followed_to_where_it_leads() {
 fn a_shortcut_that_set_no_record_is_withdrawn() {
     let alone = ("learner.scout_from", Value::Integer(0));
     let settings = with(std::slice::from_ref(&alone));
-    let mut experiment = MinimumCostPath::new(laboratory(), b21(), &settings, 15).expect("fits");
-    let mut open = std::collections::BTreeMap::new();
-    let mut followed = std::collections::BTreeSet::new();
-    let mut withdrawn = 0;
-    run(&mut experiment, 20, |tick, end| {
-        let decision = &tick.decision;
-        if let Some((neuron, aim)) = decision.neuron.zip(decision.aim)
-            && open.get(&neuron) == Some(&aim)
-        {
-            followed.insert(neuron);
-        }
-        let Some(end) = end else { return };
-        let followed_any = decision.exploration.temperature_deg > 0.0;
-        assert!(followed_any || end.withdrawn.is_empty(), "at temperature 0 none is followed");
-        assert!(!end.record.record || end.withdrawn.is_empty(), "a record withdraws nothing");
-        for neuron in &end.withdrawn {
-            assert!(followed.contains(neuron), "trial {}: {neuron:?}", end.record.trial);
-            assert!(open.remove(neuron).is_some(), "trial {}: {neuron:?}", end.record.trial);
-            withdrawn += 1;
-        }
-        followed.clear();
-        open.extend(end.proposed.iter().map(|proposal| (proposal.neuron, proposal.aim)));
-    });
-    assert!(withdrawn > 5, "{withdrawn} withdrawn");
+    for seed in 15..21 {
+        let mut experiment =
+            MinimumCostPath::new(laboratory(), b21(), &settings, seed).expect("fits");
+        let mut open = std::collections::BTreeMap::new();
+        let mut followed = std::collections::BTreeSet::new();
+        let mut withdrawn = 0;
+        run(&mut experiment, 20, |tick, end| {
+            let decision = &tick.decision;
+            if let Some((neuron, aim)) = decision.neuron.zip(decision.aim)
+                && open.get(&neuron) == Some(&aim)
+            {
+                followed.insert(neuron);
+            }
+            let Some(end) = end else { return };
+            let at = (seed, end.record.trial);
+            let explored = decision.exploration.temperature_deg > 0.0;
+            assert!(explored || end.withdrawn.is_empty(), "nothing was followed: {at:?}");
+            assert!(!end.record.record || end.withdrawn.is_empty(), "a record: {at:?}");
+            for neuron in &end.withdrawn {
+                assert!(followed.contains(neuron), "{at:?}: {neuron:?}");
+                assert!(open.remove(neuron).is_some(), "{at:?}: {neuron:?}");
+                withdrawn += 1;
+            }
+            followed.clear();
+            open.extend(end.proposed.iter().map(|proposal| (proposal.neuron, proposal.aim)));
+        });
+        assert!(withdrawn > 5, "{withdrawn} withdrawn, seed {seed}");
+    }
     let kept = with(&[alone, ("shortcut.withdraw", Value::Switch(false))]);
     let mut experiment = MinimumCostPath::new(laboratory(), b21(), &kept, 15).expect("fits");
     run(&mut experiment, 15, |_, end| {
