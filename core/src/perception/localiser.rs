@@ -12,7 +12,9 @@ use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::{Pose, Vec2, angle, rotate, unit, wrap_angle};
-use crate::robot::Readings;
+use crate::robot::{Readings, STRAIGHT_RAD};
+
+// Tuned, up to where it is said otherwise.
 
 /// Sightings are compared with what is heard up to this far from where they were made, metres.
 const NEAR_M: f64 = 0.3;
@@ -20,20 +22,23 @@ const NEAR_M: f64 = 0.3;
 const APART_M: f64 = 0.15;
 /// So many sightings, the nearest ones, are compared with.
 const COMPARED: usize = 2;
-/// No more sightings are kept.
-const MOST: usize = 2000;
 /// Echoes from farther are not compared, metres: a slight turn moves them much.
 const FAR_M: f64 = 5.0;
 /// Standard deviation of a reading against what a sighting lets expect: so much, metres,
 const SPREAD_M: f64 = 0.02;
-/// and so much of the reading. Tuned, as are the five above.
+/// and so much of the reading.
 const SPREAD: f64 = 0.02;
+
+// Not tuned.
+
 /// Neighbouring echoes that differ by more than this share come from different surfaces.
 const SAME_SURFACE: f64 = 0.3;
 /// What lies farther off than so many standard deviations is not what was heard then.
 const GATE: f64 = 3.0;
-/// Share of the odometry's error by which a heading errs in a step without a rotation, radians.
-const STRAIGHT_RAD: f64 = 0.2;
+/// A surface met at a greater slant tells nothing: cosine of the angle from its normal.
+const GRAZING: f64 = 0.1;
+/// No more sightings are kept.
+const MOST: usize = 2000;
 
 /// What the sonars read at a place, and where the robot took itself to be.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -122,11 +127,12 @@ impl Localiser {
         let off_rad = self.pose.heading_rad - self.odometry.heading_rad;
         let moved = rotate(moved, unit(off_rad));
         let here = self.pose.position() + moved;
+        // Eq. (1.6), not linear: x(t+1|t) = f(x(t|t), u(t))
         self.pose = Pose::new(here.x, here.y, self.pose.heading_rad + turned_rad);
         self.odometry = odometry;
         let variance = |spread: f64| (self.error * spread) * (self.error * spread);
         self.covariance[(2, 2)] += variance(turned_rad) + variance(STRAIGHT_RAD);
-        // P ← F P Fᵀ + Q: a heading that errs turns the advance.
+        // Eq. (1.8): P(t+1|t) = φ P(t|t) φᵀ + G Q Gᵀ, with φ = ∂f/∂x: a heading that errs turns the advance.
         let turns = Matrix3::new(1.0, 0.0, -moved.y, 0.0, 1.0, moved.x, 0.0, 0.0, 1.0);
         let along = Vector3::new(moved.x, moved.y, 0.0) * self.error;
         self.covariance = turns * self.covariance * turns.transpose() + along * along.transpose();
@@ -166,6 +172,9 @@ impl Localiser {
             // Along u it is D / (n·u) off.
             let towards = normal.dot(&ray);
             let expected_m = distance_m / towards - self.radius_m;
+            if towards.abs() < GRAZING || expected_m <= 0.0 {
+                return None;
+            }
             let turning = normal.dot(&Vec2::new(-ray.y, ray.x));
             let spread_m = SPREAD_M + SPREAD * expected_m;
             Some(Echo {
@@ -209,9 +218,11 @@ impl Estimate {
             if innovation_m * innovation_m > GATE * GATE * total {
                 continue;
             }
-            // K = P h / (hᵀ P h + r), x ← x + K ν, P ← P − K hᵀ P
+            // Eq. (1.7): K = P Hᵀ (H P Hᵀ + R)⁻¹, with H = ∂z/∂x and one echo as z
             let gain = spread / total;
+            // Eq. (1.5): x(t|t) = x(t|t-1) + K (z − ẑ)
             shift += gain * innovation_m;
+            // NOTE: as in the linear filter, P(t|t) = P(t|t-1) − K H P(t|t-1); the thesis lost an index.
             self.covariance -= gain * spread.transpose();
             agreed += 1;
         }
@@ -271,6 +282,27 @@ mod tests {
             prop_assert!(off_m(found) < 0.2 * off_m(STEP) + 0.012, "{} of {} m", off_m(found), off_m(STEP));
             let off_rad = (found.heading_rad - turned_rad).abs();
             prop_assert!(off_rad < 0.2 * turned_rad.abs() + 0.012, "{} of {} rad", off_rad, turned_rad);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn nothing_that_can_be_heard_loses_the_robot(
+            heard_m in prop::collection::vec(prop::collection::vec(0.0..=8.0f64, 24), 2..6),
+            turned_rad in prop::collection::vec(-3.0..3.0f64, 6), advanced_m in -0.2..0.2f64,
+        ) {
+            let mut localiser = Localiser::new(0.2, 8.0, RADIUS_M, Vec::new());
+            localiser.begin(Pose::default());
+            let mut odometry = Pose::default();
+            for (sonar_m, turned_rad) in heard_m.into_iter().zip(turned_rad) {
+                let heading_rad = odometry.heading_rad + turned_rad;
+                let here = odometry.position() + unit(heading_rad) * advanced_m;
+                odometry = Pose::new(here.x, here.y, heading_rad);
+                let (found, fix) = localiser.locate(odometry, &Readings::from_iter(sonar_m));
+                let off_m = found.distance_to(odometry.position());
+                prop_assert!(off_m.is_finite() && off_m < 1.5, "{off_m} m off");
+                prop_assert!(found.heading_rad.is_finite() && fix.spread_m.is_finite());
+            }
         }
     }
 

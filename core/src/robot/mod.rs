@@ -28,6 +28,7 @@ pub(crate) use motion::Course;
 pub use motion::Motion;
 pub use ring::{MOST_SONARS, Mount, Readings};
 pub use scanner::{Echo, NoiseLevel, Reading, Scanner};
+pub(crate) use simulated::STRAIGHT_RAD;
 pub use simulated::{Sensed, SimulatedRobot, SimulationSettings};
 
 use crate::geometry::{Vec2, unit};

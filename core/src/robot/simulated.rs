@@ -21,6 +21,9 @@ use crate::world::{RayFan, RayRing, World};
 use super::motion::{Course, Motion, Turn};
 use super::{Body, Contact, Mount, Readings, Robot};
 
+/// Heading error of a step without a rotation where odometry errs by its whole, radians.
+pub(crate) const STRAIGHT_RAD: f64 = 0.2;
+
 /// How a robot senses and moves. Lengths in metres, angles in radians. All numbers are finite and
 /// none is negative; ranges and increments are greater than 0.
 ///
@@ -62,7 +65,7 @@ pub struct SimulationSettings {
     pub back_max_m: f64,
     /// Clearance from the shell that a rescue never goes below.
     pub touch_m: f64,
-    /// Drift `k` of the odometry: a rotation is executed `(1 + k·N)` times and off by `0.2·k` rad
+    /// Drift `k` of the odometry: a rotation is executed `(1 + k·N)` times and off by `0.2·k·N` rad
     /// more, an advance is measured `(1 + k·N)` times, each `N` standard normal.
     pub odometry_drift: f64,
 }
@@ -296,7 +299,7 @@ impl SimulatedRobot {
         let mut normal = || self.odometry_rng.sample::<f64, _>(StandardNormal);
         Drift {
             rotation_factor: 1.0 + k * normal(),
-            rotation_rad: 0.2 * k * normal(),
+            rotation_rad: STRAIGHT_RAD * k * normal(),
             advance_factor: 1.0 + k * normal(),
         }
     }
