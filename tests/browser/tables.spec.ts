@@ -66,6 +66,8 @@ test('a learner in the labyrinth is watched, changed and advised, and the biases
   // To the end of the episode, and of them all.
   await page.getByLabel('Speed').selectOption('max');
   await page.getByRole('heading', { level: 1 }).click();
+  // While the server has not answered, keys do nothing.
+  await expect(page.getByRole('group', { name: 'Controls' })).toHaveAttribute('aria-busy', 'false');
   await page.keyboard.press('t');
   await expect(page.locator('.progress')).toContainText('Round 2 of 18');
   await page.getByRole('button', { name: 'Resume' }).click();
