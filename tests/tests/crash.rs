@@ -1,11 +1,23 @@
 //! Killing the server loses the last second at most, and the run goes on to the same bits.
 
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
 use e2e::{Server, sonarium};
 use serde_json::{Value, json};
 
-/// Everything in a trial table that a run must repeat.
+/// Everything in a trial table that a run must repeat. The planner may end after the trials do, and regret
+/// is told once it has.
 fn trial_table(server: &Server, id: &str) -> Value {
-    server.get(&format!("sessions/{id}/trials")).1
+    let start = Instant::now();
+    loop {
+        let (_, trials) = server.get(&format!("sessions/{id}/trials"));
+        if trials[0]["regret"].is_number() {
+            return trials;
+        }
+        assert!(start.elapsed() < Duration::from_secs(60), "still no regret: {trials}");
+        sleep(Duration::from_millis(20));
+    }
 }
 
 #[test]
