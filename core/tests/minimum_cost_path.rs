@@ -1,11 +1,12 @@
 //! The experiment as a whole: what it promises, on the laboratory of the thesis.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use sonarium_core::experiment::{Checkpoint, MinimumCostPath, Settings};
 use sonarium_core::geometry::{Vec2, angle, wrap_angle};
 use sonarium_core::learner::{
-    ActionSource, Adaptation, BirthCause, Origin, Tick, TrialEnd, TrialRecord,
+    ActionSource, Adaptation, Aim, BirthCause, NeuronId, Origin, Tick, TrialEnd, TrialRecord,
 };
 use sonarium_core::robot::{Contact, Robot, RobotFile};
 use sonarium_core::settings::Value;
@@ -206,43 +207,91 @@ fn a_shortcut_is_followed_to_where_it_leads() {
     assert!(bent > 0, "no bend was kept to past a known neuron");
 }
 
-#[test]
-fn a_shortcut_that_set_no_record_is_withdrawn() {
-    let alone = ("learner.scout_from", Value::Integer(0));
-    let settings = with(std::slice::from_ref(&alone));
-    for seed in 15..21 {
-        let mut experiment =
-            MinimumCostPath::new(laboratory(), b21(), &settings, seed).expect("fits");
-        let mut open = std::collections::BTreeMap::new();
-        let mut followed = std::collections::BTreeSet::new();
-        let mut withdrawn = 0;
-        run(&mut experiment, 20, |tick, end| {
-            let decision = &tick.decision;
-            if let Some((neuron, aim)) = decision.neuron.zip(decision.aim)
-                && open.get(&neuron) == Some(&aim)
-            {
-                followed.insert(neuron);
-            }
-            let Some(end) = end else { return };
-            let at = (seed, end.record.trial);
-            let explored = decision.exploration.temperature_deg > 0.0;
-            assert!(explored || end.withdrawn.is_empty(), "nothing was followed: {at:?}");
-            assert!(!end.record.record || end.withdrawn.is_empty(), "a record: {at:?}");
-            for neuron in &end.withdrawn {
-                assert!(followed.contains(neuron), "{at:?}: {neuron:?}");
-                assert!(open.remove(neuron).is_some(), "{at:?}: {neuron:?}");
-                withdrawn += 1;
-            }
-            followed.clear();
-            open.extend(end.proposed.iter().map(|proposal| (proposal.neuron, proposal.aim)));
-        });
-        assert!(withdrawn > 5, "{withdrawn} withdrawn, seed {seed}");
+/// What a trial's steps were, for the shortcuts it followed.
+struct Followed {
+    neuron: NeuronId,
+    aim: Option<Aim>,
+    reinforcement: f64,
+}
+
+/// Reinforcement of the record trial from the last step of each neuron on.
+fn to_go(path: &[Followed]) -> BTreeMap<NeuronId, f64> {
+    let mut sum = 0.0;
+    let mut found = BTreeMap::new();
+    for step in path.iter().rev() {
+        sum += step.reinforcement;
+        found.entry(step.neuron).or_insert(sum);
     }
-    let kept = with(&[alone, ("shortcut.withdraw", Value::Switch(false))]);
-    let mut experiment = MinimumCostPath::new(laboratory(), b21(), &kept, 15).expect("fits");
-    run(&mut experiment, 15, |_, end| {
-        assert!(end.is_none_or(|end| end.withdrawn.is_empty()));
-    });
+    found
+}
+
+#[test]
+fn a_shortcut_that_gained_nothing_is_withdrawn() {
+    // Without bends a shortcut is followed under one aim.
+    let alone =
+        [("learner.scout_from", Value::Integer(0)), ("shortcut.bend", Value::Switch(false))];
+    let counts = |withdrawal: &str| {
+        let choice = ("shortcut.withdraw", Value::Choice(withdrawal.into()));
+        let settings = with(&[alone.to_vec(), vec![choice]].concat());
+        let (mut kept, mut withdrawn) = (0, 0);
+        for seed in 15..21 {
+            let mut experiment =
+                MinimumCostPath::new(laboratory(), b21(), &settings, seed).expect("fits");
+            let (mut open, mut record) = (BTreeMap::new(), BTreeMap::new());
+            let mut path: Vec<Followed> = Vec::new();
+            run(&mut experiment, 20, |tick, end| {
+                let decision = &tick.decision;
+                let neuron = decision.neuron.expect("it learns");
+                let reinforcement = tick.outcome.reinforcement.total();
+                path.push(Followed { neuron, aim: decision.aim, reinforcement });
+                let Some(end) = end else { return };
+                let path = std::mem::take(&mut path);
+                let at = (seed, end.record.trial);
+                let explored = decision.exploration.temperature_deg > 0.0;
+                assert!(explored || end.judged.is_empty(), "nothing was followed: {at:?}");
+                assert!(!end.record.record || end.judged.is_empty(), "a record: {at:?}");
+                for verdict in &end.judged {
+                    let neuron = verdict.neuron;
+                    let begin = path.iter().position(|step| step.neuron == neuron);
+                    let begin = begin.expect("only what was followed is judged");
+                    assert_eq!(open.get(&neuron), path[begin].aim.as_ref(), "{at:?}: {neuron:?}");
+                    // What was got until another neuron of the record path, and from there on the record.
+                    let mut sum = path[begin].reinforcement;
+                    let mut then = Some(0.0).filter(|_| end.record.reached_goal);
+                    for step in &path[begin + 1..] {
+                        let other = step.neuron != neuron && step.aim != path[begin].aim;
+                        if let Some(there) = record.get(&step.neuron).filter(|_| other) {
+                            then = Some(*there);
+                            break;
+                        }
+                        sum += step.reinforcement;
+                    }
+                    let before = record.get(&neuron).copied();
+                    let delta = before.zip(then).map(|(before, then)| sum + then - before);
+                    assert_eq!(verdict.delta.is_some(), delta.is_some(), "{at:?}: {neuron:?}");
+                    let off = verdict.delta.zip(delta).map_or(0.0, |(a, b): (f64, f64)| a - b);
+                    assert!(off.abs() < 1e-9, "{at:?}: {neuron:?} off by {off}");
+                    let gained = delta.is_some_and(|delta| delta > 0.0);
+                    assert_eq!(verdict.withdrawn, withdrawal == "followed" || !gained, "{at:?}");
+                    if verdict.withdrawn {
+                        open.remove(&neuron);
+                    }
+                    kept += u32::from(!verdict.withdrawn);
+                    withdrawn += u32::from(verdict.withdrawn);
+                }
+                if end.record.record {
+                    record = to_go(&path);
+                }
+                open.extend(end.proposed.iter().map(|proposal| (proposal.neuron, proposal.aim)));
+            });
+        }
+        (kept, withdrawn)
+    };
+    let (kept, withdrawn) = counts("losing");
+    assert!(kept > 20 && withdrawn > 20, "{kept} kept, {withdrawn} withdrawn");
+    let (kept, withdrawn) = counts("followed");
+    assert!(kept == 0 && withdrawn > 20, "{kept} kept, {withdrawn} withdrawn");
+    assert_eq!(counts("off"), (0, 0));
 }
 
 #[test]

@@ -62,7 +62,8 @@ test('a newcomer creates a session, watches it learn and takes the report home',
   await expect(row).toContainText(String(last.neurons));
   expect(last.steps).toBeLessThan(trials[0].steps);
 
-  // A neuron tells its four parameters and its birth.
+  // A neuron of the network as it is at the end tells its four parameters and its birth.
+  await expect(page.getByText(`${last.neurons} neurons, each at its birth place`)).toBeVisible();
   await page.getByLabel('Neuron', { exact: true }).selectOption({ index: 1 });
   await expect(page.getByText('Prototypical action p')).toBeVisible();
   await expect(page.getByText('Birth certificate')).toBeVisible();

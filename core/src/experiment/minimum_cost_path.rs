@@ -483,7 +483,7 @@ impl MinimumCostPath {
             backed_up: changes.backed_up,
             replaced: changes.replaced,
             proposed: changes.proposed,
-            withdrawn: changes.withdrawn,
+            judged: changes.judged,
             forgotten: changes.forgotten,
             recentred: changes.recentred,
         }

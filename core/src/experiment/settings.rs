@@ -7,7 +7,7 @@ use crate::control::ReflexSettings;
 use crate::fuzzy::Inference;
 use crate::learner::{
     ActionFrame, Carry, Deviation, Draw, FirstAction, Judge, MeanUpdate, NoveltyMetric, Partition,
-    Replacement, SonarFrame,
+    Replacement, SonarFrame, Withdrawal,
 };
 use crate::robot::SimulationSettings;
 
@@ -61,7 +61,7 @@ crate::settings! {
         temperature_min_deg: f64 = 10.0, "learner.temperature_min" [0.0, 360.0] "deg", Literal, "Eq. (5.17), T_min", "Temperature it cools to";
         carried_temperature_deg: f64 = 100.0, "learner.carried_temperature" [0.0, 360.0] "deg", Addition, "continual learning", "Temperature of the first trial of a run that begins with trained networks";
         cooling: f64 = 0.8, "learner.cooling" [0.0, 1.0] "", Literal, "Eq. (5.17), β", "Share of the temperature kept from trial to trial";
-        exploit_from: u32 = 16, "learner.exploit_from" [0.0, 100_000.0] "trial", Deviation, "D4; Eq. (5.17)", "Trial from which the temperature is 0 and the best path is replayed; 0: never; tuned in the laboratory";
+        exploit_from: u32 = 18, "learner.exploit_from" [0.0, 100_000.0] "trial", Deviation, "D4; Eq. (5.17)", "Trial from which the temperature is 0 and the best path is replayed; 0: never; tuned in the laboratory";
         sigma_scale: f64 = 0.05, "learner.sigma_scale" [0.0, 1.0] "", Deviation, "D1; Eq. (5.14)", "Share of σ that is used; 1 is literal";
         deviation: Deviation = Deviation::Half, "learner.sigma_reading" "", Reading, "Eq. (5.12)", "Standard deviation of the draw for a given σ";
         draw: Draw = Draw::Step, "learner.draw" "", Literal, "Algorithm 9", "How long a draw of the stochastic unit holds";
@@ -83,15 +83,14 @@ crate::settings! {
         shortcut_push: bool = true, "shortcut.push" "", Addition, "A1", "Move the points aimed at off the obstacle by the clearance that cost the step that led there";
         shortcut_clearance_m: f64 = 0.1, "shortcut.clearance" [0.0, 1.0] "m", Addition, "A1, A2; the distance of a virtual collision", "Least clearance that the echoes must show along a shortcut";
         shortcut_carry: Carry = Carry::HandOver, "shortcut.carry" "", Addition, "A2", "What a new neuron on a shortcut does";
-        echo_width: f64 = 0.5, "shortcut.echo_width" [0.0, 1.0] "", Addition, "A1, A2, A3, A4, A5; tuned", "Share of a sonar cone from which an echo may have come";
-        shortcut_bend: bool = true, "shortcut.bend" "", Addition, "A3", "A shortcut may bend once, at a place in view from both its ends";
-        shortcut_bend_gain: f64 = 0.2, "shortcut.bend_gain" [0.0, 10.0] "", Addition, "A3, tuned", "Reinforcement that a bend must promise over the best straight way";
+        shortcut_bend: bool = true, "shortcut.bend" "", Addition, "A3", "A shortcut from home may bend once, at a place in view from both its ends";
         sidestep_m: f64 = 0.15, "learner.sidestep" [0.0, 1.0] "m", Addition, "A4; the clearance at which a rescue ends", "Clearance of the next step below which it is turned aside, once a trial has succeeded; 0: never";
         escape_after: u32 = 25, "learner.escape_after" [0.0, 100_000.0] "", Addition, "A5, tuned", "Steps without coming nearer to the goal after which the robot follows the obstacle; 0: never";
         scout_from: u32 = 3, "learner.scout_from" [0.0, 100_000.0] "trial", Addition, "A6, tuned", "Trial in which the first of two scouts looks for another way, the second two trials later, once a trial has succeeded; 0: none";
         near_echo_m: f64 = 0.3, "shortcut.near_echoes" [0.0, 10.0] "m", Addition, "A7, tuned", "Echoes heard from nearer than this anywhere on the record path count for every shortcut; 0: none do";
-        shortcut_withdraw: bool = true, "shortcut.withdraw" "", Addition, "A8", "A shortcut that was followed in a trial without a record is withdrawn";
+        shortcut_withdraw: Withdrawal = Withdrawal::Losing, "shortcut.withdraw" "", Addition, "A8; Eq. (5.19) over several steps", "Which of the shortcuts that a trial without a record followed are withdrawn";
         keep_to_record: bool = true, "learner.keep_to_record" "", Addition, "A9", "At temperature 0 a neuron that is not of the record path goes back to it, as a new one does";
+        shortcut_sharp: bool = true, "shortcut.sharp" "", Addition, "A11; Eq. (5.15)", "A shortcut may turn by more than the temperature";
         odometry_correction: bool = true, "odometry.correction" "", Addition, "A10", "Correct an odometry that errs by what the sonars heard in the same places before; needs an even ring of sonars";
     }
 }

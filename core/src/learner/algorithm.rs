@@ -343,6 +343,7 @@ impl Learner {
             acting.utility,
             mean_deg,
             self.temperature_deg(),
+            self.most_deg(&acting, mean_deg),
             self.held(&acting),
             &mut self.rng,
         );
@@ -412,6 +413,18 @@ impl Learner {
         // A1: μ_i = arg(q - p_r) - p_i
         let aim_rad = angle(way) - situation.frame_rad;
         wrap_angle(aim_rad - acting.prototypical_rad).to_degrees()
+    }
+
+    /// Most that `ξ` may be, degrees.
+    fn most_deg(&self, acting: &Acting, mean_deg: f64) -> f64 {
+        let temperature_deg = self.temperature_deg();
+        let aims = acting.aim.is_some() && temperature_deg > 0.0;
+        // A11: a shortcut may turn by more than the temperature.
+        if aims && self.settings.shortcut_sharp {
+            temperature_deg.max(mean_deg.abs())
+        } else {
+            temperature_deg
+        }
     }
 
     /// The draw that still holds, if one does.

@@ -44,8 +44,8 @@ mod tests {
             temperature_deg = cooled(&settings, temperature_deg);
         }
         assert!((temperature_deg - 10.0).abs() < 1e-6);
-        assert_eq!(effective(&settings, temperature_deg, 15).to_bits(), temperature_deg.to_bits());
-        assert_eq!(effective(&settings, temperature_deg, 16).to_bits(), 0.0f64.to_bits());
+        assert_eq!(effective(&settings, temperature_deg, 17).to_bits(), temperature_deg.to_bits());
+        assert_eq!(effective(&settings, temperature_deg, 18).to_bits(), 0.0f64.to_bits());
         let never = LearnerSettings { exploit_from: 0, ..settings };
         assert_eq!(effective(&never, temperature_deg, 999).to_bits(), temperature_deg.to_bits());
     }

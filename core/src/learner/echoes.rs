@@ -3,9 +3,6 @@
 use crate::geometry::{Pose, Vec2, rotate, unit, wrap_angle};
 use crate::robot::{Readings, Robot};
 
-/// Where an echo may have come from, in halves of the share of the cone that counts.
-const IN_CONE: [f64; 3] = [-1.0, 0.0, 1.0];
-
 /// Slack on a direction that lies on the edge of a cone, radians.
 const SLACK_RAD: f64 = 1e-9;
 
@@ -19,11 +16,10 @@ pub(super) struct Hearing {
     pub(super) range_m: f64,
     /// Full angle of a cone, radians.
     pub(super) cone_rad: f64,
-    /// Share of the cone from which an echo may have come, 0 to 1.
-    pub(super) width: f64,
 }
 
-/// The echoes heard at one believed pose, as points in the odometry frame.
+/// The echoes heard at one believed pose, as points in the odometry frame: each is taken to come from the axis
+/// of its cone.
 #[derive(Clone, Debug)]
 pub(super) struct Echoes<'a> {
     robot: &'a Robot,
@@ -41,7 +37,7 @@ impl<'a> Echoes<'a> {
         sonar_m: &'a Readings,
         hearing: Hearing,
     ) -> Self {
-        let points = Vec::with_capacity(IN_CONE.len() * sonar_m.len());
+        let points = Vec::with_capacity(sonar_m.len());
         let mut echoes = Self { robot, pose, sonar_m, hearing, points };
         echoes.hear(pose, sonar_m, hearing.range_m);
         echoes
@@ -49,15 +45,11 @@ impl<'a> Echoes<'a> {
 
     /// Adds the echoes heard from a pose at less than a range.
     pub(super) fn hear(&mut self, pose: Pose, sonar_m: &Readings, range_m: f64) {
-        let half_width_rad = self.hearing.width * (self.hearing.cone_rad / 2.0);
         let direction = pose.direction();
         for (mount, reading_m) in self.robot.sonars().iter().zip(sonar_m.iter()) {
             if *reading_m < range_m {
                 let place = pose.position() + rotate(mount.place, direction);
-                let axis_rad = pose.heading_rad + mount.axis_rad;
-                self.points.extend(
-                    IN_CONE.map(|edge| place + unit(axis_rad + edge * half_width_rad) * *reading_m),
-                );
+                self.points.push(place + unit(pose.heading_rad + mount.axis_rad) * *reading_m);
             }
         }
     }
@@ -184,7 +176,7 @@ mod tests {
         ) {
             let robot = b21();
             let readings = [near_m, far_m].map(Readings::from_iter);
-            let hearing = Hearing { range_m: 3.0, cone_rad: 15f64.to_radians(), width: 1.0 };
+            let hearing = Hearing { range_m: 3.0, cone_rad: 15f64.to_radians() };
             let poses = [Pose::new(0.0, 0.0, 0.3), Pose::new(x, y, heading_rad)];
             let views = [0, 1].map(|k| Echoes::new(&robot, poses[k], &readings[k], hearing));
             let (from, direction) = (Vec2::new(y, x), unit(2.0 * heading_rad));
@@ -207,24 +199,15 @@ mod tests {
         sonar_m[0] = 1.0;
         // Heading north, so the sonar ahead looks along y.
         let pose = Pose::new(1.0, 2.0, FRAC_PI_2);
-        let hearing = Hearing { range_m: 8.0, cone_rad: 15f64.to_radians(), width: 1.0 };
+        let hearing = Hearing { range_m: 8.0, cone_rad: 15f64.to_radians() };
         let echoes = Echoes::new(&robot, pose, &sonar_m, hearing);
         assert!((echoes.free_m(FRAC_PI_2) - 1.0).abs() < 1e-12);
         assert!((echoes.free_m(FRAC_PI_2 + 0.2) - 8.0).abs() < 1e-12, "the sonar to its left");
         assert!((echoes.free_m(-PI) - 8.0).abs() < 1e-12, "the sonar to the west");
-        // The echo may have come from the axis, 1 m from the shell, or from an edge of the cone, which is
-        // the nearer one from afar.
-        let (radius_m, edge_rad) = (robot.body().reach_m(), 7.5f64.to_radians());
-        let edge_m = (radius_m + edge_rad.cos()).hypot(edge_rad.sin()) - radius_m;
-        for (ahead_m, expected_m) in [(0.0, edge_m), (0.5, 0.5), (1.0, 0.0)] {
+        for (ahead_m, expected_m) in [(0.0, 1.0), (0.5, 0.5), (1.0, 0.0)] {
             let found_m = echoes.clearance_m(Vec2::new(1.0, 2.0 + ahead_m));
             assert!((found_m - expected_m).abs() < 1e-12, "{ahead_m}: {found_m}");
         }
-        // Half as wide, it may have come from half as far off the axis.
-        let half = Echoes::new(&robot, pose, &sonar_m, Hearing { width: 0.5, ..hearing });
-        let edge_rad = 3.75f64.to_radians();
-        let edge_m = (radius_m + edge_rad.cos()).hypot(edge_rad.sin()) - radius_m;
-        assert!((half.clearance_m(pose.position()) - edge_m).abs() < 1e-12);
         let silent = Readings::from_iter([8.0; 24]);
         let none = Echoes::new(&robot, pose, &silent, hearing);
         assert!(none.clearance_m(pose.position()).is_infinite());

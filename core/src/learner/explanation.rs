@@ -127,7 +127,9 @@ pub struct Exploration {
     pub deviation_deg: f64,
     /// The draw `ξ` before clipping, degrees.
     pub drawn_deg: f64,
-    /// `ξ` after clipping to `[-T, T]`, degrees.
+    /// Most that `ξ` may be, degrees: `T(n)`, or `|μ|` along a shortcut that turns by more (addition A11).
+    pub most_deg: f64,
+    /// `ξ` after clipping to that, degrees.
     pub xi_deg: f64,
 }
 
@@ -341,6 +343,18 @@ pub struct Proposal {
     pub utility: f64,
 }
 
+/// What came of a shortcut that was followed in a trial without a record (addition A8).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Verdict {
+    /// The neuron whose shortcut it is.
+    pub neuron: NeuronId,
+    /// `δ`, the TD error over the way, until a neuron of the record path was in charge again; none where that
+    /// never was, or the neuron is not of the record path.
+    pub delta: Option<f64>,
+    /// It is not followed again.
+    pub withdrawn: bool,
+}
+
 /// A change made to a neuron at the end of a trial.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
@@ -363,8 +377,8 @@ pub struct TrialEnd {
     pub replaced: Vec<Change>,
     /// Shortcuts proposed (addition A1).
     pub proposed: Vec<Proposal>,
-    /// Neurons whose shortcut is withdrawn (addition A8).
-    pub withdrawn: Vec<NeuronId>,
+    /// What came of the shortcuts followed without a record (addition A8).
+    pub judged: Vec<Verdict>,
     /// Neurons deleted (addition D3).
     pub forgotten: Vec<NeuronId>,
     /// Neurons whose centre was set or moved during the trial, in the order of their numbers.

@@ -78,6 +78,11 @@ impl Memory {
         self.record.iter().any(|step| step.neuron == neuron)
     }
 
+    /// What the record trial got from the last step on of which a neuron was in charge.
+    pub(super) fn to_go(&self, neuron: NeuronId) -> Option<f64> {
+        self.record.iter().rev().find(|step| step.neuron == neuron).map(|step| step.to_go)
+    }
+
     /// Trials done.
     #[must_use]
     pub fn trials(&self) -> u32 {
@@ -112,6 +117,8 @@ pub(super) struct Waypoint {
     pub(super) y_m: f64,
     /// The neuron in charge.
     pub(super) neuron: NeuronId,
+    /// Reinforcement that the trial got from there on.
+    pub(super) to_go: f64,
 }
 
 impl Waypoint {

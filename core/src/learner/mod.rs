@@ -43,5 +43,5 @@ pub use network::{Network, Neuron, NoveltyMetric, Partition};
 pub use reward::{RewardSettings, goal_part, reinforcement};
 pub use settings::{
     ActionFrame, Carry, Deviation, Draw, FirstAction, Judge, LearnerSettings, MeanUpdate,
-    Replacement,
+    Replacement, Withdrawal,
 };

@@ -58,6 +58,15 @@ crate::choice! {
 }
 
 crate::choice! {
+    /// Which of the shortcuts that a trial without a record followed are withdrawn (addition A8).
+    pub enum Withdrawal {
+        Losing = "losing": "those that cost no less than the record path did between the same two neurons",
+        Followed = "followed": "all of them",
+        Off = "off": "none",
+    }
+}
+
+crate::choice! {
     /// How a record trial replaces prototypical actions, Eq. (5.28).
     pub enum Replacement {
         Forward = "forward": "in the order of time: the last visit to a neuron stays",
@@ -108,12 +117,11 @@ pub struct LearnerSettings {
     pub shortcut_judge: Judge,
     pub shortcut_clearance_m: f64,
     pub shortcut_push: bool,
+    pub shortcut_sharp: bool,
     pub shortcut_carry: Carry,
     pub shortcut_bend: bool,
-    pub shortcut_withdraw: bool,
+    pub shortcut_withdraw: Withdrawal,
     pub near_echo_m: f64,
-    pub echo_width: f64,
-    pub shortcut_bend_gain: f64,
     pub sidestep_m: f64,
     pub escape_after: u32,
     pub scout_from: u32,
@@ -162,12 +170,11 @@ impl From<&Settings> for LearnerSettings {
             shortcut_judge: settings.shortcut_judge,
             shortcut_clearance_m: settings.shortcut_clearance_m,
             shortcut_push: settings.shortcut_push,
+            shortcut_sharp: settings.shortcut_sharp,
             shortcut_carry: settings.shortcut_carry,
             shortcut_bend: settings.shortcut_bend,
             shortcut_withdraw: settings.shortcut_withdraw,
             near_echo_m: settings.near_echo_m,
-            echo_width: settings.echo_width,
-            shortcut_bend_gain: settings.shortcut_bend_gain,
             sidestep_m: settings.sidestep_m,
             escape_after: settings.escape_after,
             scout_from: settings.scout_from,
@@ -197,11 +204,8 @@ impl LearnerSettings {
         sonar_m: &'a Readings,
         range_m: f64,
     ) -> Echoes<'a> {
-        let hearing = Hearing {
-            range_m: range_m.min(self.sonar_range_m),
-            cone_rad: self.sonar_cone_rad,
-            width: self.echo_width,
-        };
+        let hearing =
+            Hearing { range_m: range_m.min(self.sonar_range_m), cone_rad: self.sonar_cone_rad };
         Echoes::new(robot, pose, sonar_m, hearing)
     }
 }

@@ -22,10 +22,6 @@ const TOO_NEAR_M: f64 = 0.05;
 /// Near echoes lie at least this far apart; more of them tell nothing more, metres.
 const APART_M: f64 = 0.05;
 
-/// Bends are looked for at every eighth step of the path: a way that bends is long, and where each neuron
-/// proposes its own, the next trial follows none to its end.
-const BENDS_EVERY: usize = 8;
-
 /// Looks for shortcuts along a record path.
 pub(super) struct Surveyor<'a> {
     settings: &'a LearnerSettings,
@@ -93,27 +89,29 @@ impl<'a> Surveyor<'a> {
         let next_trial = self.memory.trials + 2;
         let cooled = annealing::cooled(self.settings, self.memory.temperature_deg);
         let temperature_deg = annealing::effective(self.settings, cooled, next_trial);
-        let proposal = |t| Some((t, self.propose(t, temperature_deg)?));
+        if temperature_deg <= 0.0 {
+            return Vec::new();
+        }
+        // NOTE (A11): Eq. (5.15) would clip what turns by more than the next temperature. Corners that late
+        // trials would cut ask for more.
+        let sharp = self.settings.shortcut_sharp;
+        let most_deg = if sharp { f64::INFINITY } else { temperature_deg };
+        let proposal = |t| Some((t, self.propose(t, most_deg)?));
         (0..self.path.len()).filter_map(proposal).collect()
     }
 
-    /// The best way from where a step was decided to a later point, within the next temperature.
-    fn propose(&self, t: usize, temperature_deg: f64) -> Option<Proposal> {
+    /// The best way from where a step was decided to a later point, with the greatest turn allowed.
+    fn propose(&self, t: usize, most_deg: f64) -> Option<Proposal> {
         let step = &self.path[t];
         let neuron = self.memory.networks[step.network].get(step.neuron)?;
         let within = |heading_rad: f64| {
             let aim_rad = heading_rad - step.frame_rad;
             let mean_deg = wrap_angle(aim_rad - neuron.prototypical_rad).to_degrees();
-            // Eq. (5.15): -T(n) ≤ ξ ≤ T(n). What the temperature would clip is not proposed.
-            (mean_deg.abs() <= temperature_deg).then_some(mean_deg)
+            (mean_deg.abs() <= most_deg).then_some(mean_deg)
         };
         let straight = self.best_straight(t, &within);
-        let bends = self.settings.shortcut_bend && self.settings.shortcut_judge == Judge::Critic;
-        let way = if bends && t.is_multiple_of(BENDS_EVERY) {
-            self.best_bend(t, &within, straight)
-        } else {
-            straight
-        }?;
+        let bends = t == 0 && self.looks_for_bends();
+        let way = if bends { self.best_bend(t, &within, straight) } else { straight }?;
         Some(Proposal {
             neuron: neuron.id,
             before_deg: neuron.mean_deg,
@@ -123,6 +121,13 @@ impl<'a> Surveyor<'a> {
             straight: way.reinforcement,
             utility: way.utility,
         })
+    }
+
+    /// Whether home looks for ways that bend. Not along a way that a scout has just found: a bend leads to the
+    /// other side of an obstacle, and would lead back.
+    fn looks_for_bends(&self) -> bool {
+        let judged = self.settings.shortcut_judge == Judge::Critic;
+        self.settings.shortcut_bend && judged && self.memory.scout_turns_left().is_none()
     }
 
     /// The best later point in view.

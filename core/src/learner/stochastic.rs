@@ -7,13 +7,15 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::{Deviation, Exploration, LearnerSettings};
 
-/// Draws `ξ` for a neuron with utility `u` and mean `μ` at a temperature, unless an earlier draw holds.
+/// Draws `ξ` for a neuron with utility `u` and mean `μ` at a temperature, unless an earlier draw holds, and clips
+/// it to the most that is allowed.
 #[must_use]
 pub(super) fn explore(
     settings: &LearnerSettings,
     utility: f64,
     mean_deg: f64,
     temperature_deg: f64,
+    most_deg: f64,
     held_deg: Option<f64>,
     rng: &mut impl Rng,
 ) -> Exploration {
@@ -36,8 +38,8 @@ pub(super) fn explore(
         mean_deg
     };
     // Eq. (5.15): -T(n) ≤ ξ ≤ T(n)
-    let xi_deg = drawn_deg.clamp(-temperature_deg, temperature_deg);
-    Exploration { temperature_deg, mean_deg, sigma_deg, deviation_deg, drawn_deg, xi_deg }
+    let xi_deg = drawn_deg.clamp(-most_deg, most_deg);
+    Exploration { temperature_deg, mean_deg, sigma_deg, deviation_deg, drawn_deg, most_deg, xi_deg }
 }
 
 /// Characteristic eligibility of the mean, per degree; 0 when nothing was drawn.
@@ -70,7 +72,7 @@ mod tests {
     fn a_low_utility_explores_and_a_high_one_does_not() {
         let mut rng = stream(1, 0, Purpose::Exploration);
         for (utility, expected_deg) in [(0.0, 50.0), (-800.0, 100.0), (800.0, 0.0)] {
-            let found = explore(&literal(), utility, 0.0, 100.0, None, &mut rng);
+            let found = explore(&literal(), utility, 0.0, 100.0, 100.0, None, &mut rng);
             assert!((found.sigma_deg - expected_deg).abs() < 1e-9, "u = {utility}");
         }
     }
@@ -79,8 +81,9 @@ mod tests {
     fn draws_have_the_mean_and_deviation_asked_for() {
         let mut rng = stream(7, 0, Purpose::Exploration);
         let n = 20_000;
-        let draws: Vec<f64> =
-            (0..n).map(|_| explore(&literal(), 0.0, 5.0, 20.0, None, &mut rng).drawn_deg).collect();
+        let draws: Vec<f64> = (0..n)
+            .map(|_| explore(&literal(), 0.0, 5.0, 20.0, 20.0, None, &mut rng).drawn_deg)
+            .collect();
         let mean = draws.iter().sum::<f64>() / f64::from(n);
         let variance = draws.iter().map(|draw| (draw - mean).powi(2)).sum::<f64>() / f64::from(n);
         // σ = 10: the mean of 20,000 draws is within 5 standard errors of 5, the deviation within 3 %.
@@ -89,13 +92,17 @@ mod tests {
     }
 
     #[test]
-    fn actions_are_clipped_to_the_temperature() {
+    fn actions_are_clipped_to_what_is_allowed() {
         let mut rng = stream(3, 0, Purpose::Exploration);
-        for (mean_deg, temperature_deg, expected_deg) in
-            [(500.0, 10.0, 10.0), (-500.0, 10.0, -10.0), (30.0, 0.0, 0.0)]
-        {
-            let found = explore(&literal(), 0.0, mean_deg, temperature_deg, None, &mut rng);
-            assert!((found.xi_deg - expected_deg).abs() < 1e-12, "{mean_deg} {temperature_deg}");
+        for (mean_deg, temperature_deg, most_deg, expected_deg) in [
+            (500.0, 10.0, 10.0, 10.0),
+            (-500.0, 10.0, 10.0, -10.0),
+            (500.0, 10.0, 50.0, 50.0),
+            (30.0, 0.0, 0.0, 0.0),
+        ] {
+            let found =
+                explore(&literal(), 0.0, mean_deg, temperature_deg, most_deg, None, &mut rng);
+            assert!((found.xi_deg - expected_deg).abs() < 1e-12, "{mean_deg} {most_deg}");
         }
     }
 

@@ -3,7 +3,8 @@
 use super::memory::Waypoint;
 use super::shortcut::Surveyor;
 use super::{
-    Aim, Change, LearnerSettings, MeanUpdate, Memory, NeuronId, Proposal, Replacement, annealing,
+    Aim, Change, LearnerSettings, MeanUpdate, Memory, NeuronId, Proposal, Replacement, Verdict,
+    Withdrawal, annealing,
 };
 use crate::geometry::{Pose, Vec2};
 use crate::robot::{Readings, Robot};
@@ -56,7 +57,7 @@ pub(crate) struct Changes {
     /// A1.
     pub(crate) proposed: Vec<Proposal>,
     /// A8.
-    pub(crate) withdrawn: Vec<NeuronId>,
+    pub(crate) judged: Vec<Verdict>,
     /// D3.
     pub(crate) forgotten: Vec<NeuronId>,
     /// Eq. (5.25), or added.
@@ -95,8 +96,9 @@ pub(super) fn close(
     }
     let trial = memory.trials + 1;
     let explored = annealing::effective(settings, memory.temperature_deg, trial) > 0.0;
-    if !record && settings.shortcut_withdraw && memory.best.is_some() && explored {
-        changes.withdrawn = withdraw(memory, path);
+    let judges = settings.shortcut_withdraw != Withdrawal::Off;
+    if !record && judges && memory.best.is_some() && explored {
+        changes.judged = judge(settings, memory, path, reached_goal);
     }
     for (network, id) in born {
         if let Some(neuron) = memory.networks[*network].get_mut(*id) {
@@ -118,12 +120,7 @@ fn replacement_order(settings: &LearnerSettings, steps: usize) -> Box<dyn Iterat
 fn replace(settings: &LearnerSettings, memory: &mut Memory, path: &[PathStep]) -> Vec<Change> {
     let mut changes = Vec::new();
     if settings.replacement != Replacement::Off {
-        // D2: what a new neuron goes back to is kept with the actions.
-        let waypoint = |step: &PathStep| {
-            let Pose { x_m, y_m, .. } = step.pose;
-            Waypoint { x_m, y_m, neuron: step.neuron }
-        };
-        memory.record = path.iter().map(waypoint).collect();
+        memory.record = waypoints(path);
     }
     for t in replacement_order(settings, path.len()) {
         let step = &path[t];
@@ -135,6 +132,19 @@ fn replace(settings: &LearnerSettings, memory: &mut Memory, path: &[PathStep]) -
         }
     }
     changes
+}
+
+/// D2, A8: what a new neuron goes back to, and what a shortcut is held against.
+fn waypoints(path: &[PathStep]) -> Vec<Waypoint> {
+    let mut to_go = 0.0;
+    let waypoint = |step: &PathStep| {
+        let Pose { x_m, y_m, .. } = step.pose;
+        to_go += step.reinforcement;
+        Waypoint { x_m, y_m, neuron: step.neuron, to_go }
+    };
+    let mut waypoints: Vec<Waypoint> = path.iter().rev().map(waypoint).collect();
+    waypoints.reverse();
+    waypoints
 }
 
 /// A1, after back-tracking: a neuron takes the proposal of its last visit.
@@ -160,20 +170,53 @@ fn propose(
     proposals
 }
 
-/// NOTE (A8): the critic's promise of a shortcut is a guess, made before anybody went there. What was followed
-/// and set no record is not followed again; the next trial tries what is left.
-fn withdraw(memory: &mut Memory, path: &[PathStep]) -> Vec<NeuronId> {
-    let mut withdrawn = Vec::new();
-    for step in path.iter().filter(|step| step.aim.is_some()) {
-        if let Some(neuron) = memory.networks[step.network].get_mut(step.neuron)
-            && neuron.aim == step.aim
+/// NOTE (A8): the critic's promise of a shortcut is a guess, made before anybody went there. Of what was followed
+/// in a trial that set no record, the next trial follows what cost less than the record path did between the same
+/// two neurons, and no more what did not.
+fn judge(
+    settings: &LearnerSettings,
+    memory: &mut Memory,
+    path: &[PathStep],
+    reached_goal: bool,
+) -> Vec<Verdict> {
+    let mut judged: Vec<Verdict> = Vec::new();
+    for (t, step) in path.iter().enumerate() {
+        let is_judged = judged.iter().any(|verdict| verdict.neuron == step.neuron);
+        let network = &memory.networks[step.network];
+        let neuron = network.get(step.neuron).filter(|neuron| neuron.aim == step.aim);
+        let Some((aim, _)) = step.aim.zip(neuron).filter(|_| !is_judged) else { continue };
+        let delta = delta_over(memory, &path[t..], aim, reached_goal);
+        let gains = delta.is_some_and(|delta| delta > 0.0);
+        let withdrawn = settings.shortcut_withdraw == Withdrawal::Followed || !gains;
+        judged.push(Verdict { neuron: step.neuron, delta, withdrawn });
+        if let Some(neuron) =
+            memory.networks[step.network].get_mut(step.neuron).filter(|_| withdrawn)
         {
             neuron.aim = None;
             neuron.mean_deg = 0.0;
-            withdrawn.push(neuron.id);
         }
     }
-    withdrawn
+    judged
+}
+
+/// TD error over the way that a shortcut led, from the step that began it to the first at which another neuron of
+/// the record path was in charge and did not merely let it pass (A3), or to the goal. The utilities are those of
+/// the record trial. None when it led nowhere.
+fn delta_over(memory: &Memory, path: &[PathStep], aim: Aim, reached_goal: bool) -> Option<f64> {
+    let (begin, rest) = path.split_first()?;
+    let before = memory.to_go(begin.neuron)?;
+    let mut sum = begin.reinforcement;
+    for step in rest {
+        let same_way =
+            step.aim.is_some_and(|other| other == aim || Some(other) == aim.after_bend());
+        let there = Some(step.neuron).filter(|neuron| *neuron != begin.neuron && !same_way);
+        if let Some(then) = there.and_then(|neuron| memory.to_go(neuron)) {
+            // Eq. (5.19) over k steps, undiscounted as Eq. (5.26): δ = r(t+1) + ... + r(t+k) + u_j - u_i
+            return Some(sum + then - before);
+        }
+        sum += step.reinforcement;
+    }
+    reached_goal.then_some(sum - before)
 }
 
 fn back_up(memory: &mut Memory, path: &[PathStep]) -> Vec<Change> {

@@ -96,7 +96,7 @@ const TRIAL_COLUMNS: [Column<Trial>; 18] = [
     }),
 ];
 
-const TICK_COLUMNS: [Column<TickView>; 52] = [
+const TICK_COLUMNS: [Column<TickView>; 53] = [
     column("tick", "control step of the session, from 1", |t| t.tick.to_string()),
     column("trial", "trial, from 1", |t| t.trial.to_string()),
     column("step", "control step of the trial, from 1", |t| t.step.to_string()),
@@ -135,7 +135,10 @@ const TICK_COLUMNS: [Column<TickView>; 52] = [
         t.exploration.deviation_deg.to_string()
     }),
     column("drawn_deg", "xi as drawn", |t| t.exploration.drawn_deg.to_string()),
-    column("xi_deg", "xi clipped to [-T, T]", |t| t.exploration.xi_deg.to_string()),
+    column("most_deg", "most that xi may be: T(n), or |mean| along a shortcut (A11)", |t| {
+        optional(t.exploration.most_deg)
+    }),
+    column("xi_deg", "xi clipped to that", |t| t.exploration.xi_deg.to_string()),
     column("action_deg", "action alpha, Eq. (5.15)", |t| t.action_deg.to_string()),
     column("action_frame", "frame of p and alpha", |t| t.action_frame.clone()),
     column("rotation_deg", "rotation before the advance", |t| t.rotation_deg.to_string()),

@@ -4,7 +4,9 @@ use maud::{Markup, html};
 
 use super::number::{NOTHING, count_or_nothing, fixed, fixed_or_nothing};
 use super::page::{Heading, number, numbers, table, words};
-use crate::wire::{AdaptationView, ChangeView, ProposalView, TickView, Trial, TrialEndView};
+use crate::wire::{
+    AdaptationView, ChangeView, ProposalView, TickView, Trial, TrialEndView, VerdictView,
+};
 
 /// Total reinforcement by its two parts, with the steps that paid.
 pub(super) fn parts_table(trial: &Trial, ticks: &[TickView]) -> Markup {
@@ -51,8 +53,7 @@ pub(super) fn changes_tables(end: &TrialEndView) -> Markup {
         (change_table("Utilities set by back-tracking, Eq. 5.26", "u", "", &end.backed_up, 3))
         (change_table("Prototypical actions replaced, Eq. 5.28", "p", "deg", &end.replaced, 1))
         (proposal_table(&end.proposed))
-        h3 { "Shortcuts followed without a record and withdrawn, addition A8" }
-        (neurons(&end.withdrawn))
+        (verdict_table(&end.judged))
         h3 { "Neurons deleted, deviation D3" }
         (neurons(&end.forgotten))
     }
@@ -134,6 +135,31 @@ fn proposal_table(proposals: &[ProposalView]) -> Markup {
             p class="note" { "None" }
         } @else {
             (table("shortcuts", caption, &HEADINGS, rows))
+        }
+    }
+}
+
+/// What came of the shortcuts that were followed without a record.
+fn verdict_table(judged: &[VerdictView]) -> Markup {
+    const HEADINGS: [Heading; 3] =
+        [numbers("Neuron", ""), numbers("δ", "TD error over the way"), words("Its shortcut")];
+    let rows = html! {
+        @for verdict in judged {
+            tr {
+                th scope="row" class="n" { (verdict.neuron) }
+                (number(fixed_or_nothing(verdict.delta, 3)))
+                td { @if verdict.withdrawn { "withdrawn" } @else { "kept" } }
+            }
+        }
+    };
+    let caption = "δ = r + … + r + u where it ended − u where it began: above 0, it cost less than the record \
+                   path; none where it never came back to that path";
+    html! {
+        h3 { "Shortcuts followed without a record, addition A8" }
+        @if judged.is_empty() {
+            p class="note" { "None" }
+        } @else {
+            (table("verdicts", caption, &HEADINGS, rows))
         }
     }
 }

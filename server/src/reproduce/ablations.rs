@@ -66,8 +66,10 @@ const ARMS: &[Arm] = &[
     Arm { name: "A5: no escape", settings: &[("learner.escape_after", "0")] },
     Arm { name: "A6: no scouts", settings: &[("learner.scout_from", "0")] },
     Arm { name: "A7: near echoes forgotten", settings: &[("shortcut.near_echoes", "0")] },
-    Arm { name: "A8: nothing withdrawn", settings: &[("shortcut.withdraw", "false")] },
+    Arm { name: "A8: nothing withdrawn", settings: &[("shortcut.withdraw", "off")] },
+    Arm { name: "A8: all withdrawn", settings: &[("shortcut.withdraw", "followed")] },
     Arm { name: "A9: strays not called back", settings: &[("learner.keep_to_record", "false")] },
+    Arm { name: "A11: no sharper than T(n)", settings: &[("shortcut.sharp", "false")] },
     Arm { name: "two obstacles, default", settings: &[("world", "two-obstacles")] },
     Arm {
         name: "two obstacles, no critic",
@@ -94,10 +96,18 @@ const ARMS: &[Arm] = &[
     Arm { name: "hall with pillars, no bends", settings: &[PILLARS, ("shortcut.bend", "false")] },
     Arm { name: "hall with pillars, no scouts", settings: &[PILLARS, ("learner.scout_from", "0")] },
     Arm {
-        name: "hall with pillars, nothing withdrawn",
-        settings: &[PILLARS, ("shortcut.withdraw", "false")],
+        name: "hall with pillars, no sharper than T(n)",
+        settings: &[PILLARS, ("shortcut.sharp", "false")],
     },
     Arm { name: "two baffles, default", settings: &[BAFFLES] },
+    Arm {
+        name: "two baffles, nothing withdrawn",
+        settings: &[BAFFLES, ("shortcut.withdraw", "off")],
+    },
+    Arm {
+        name: "two baffles, all withdrawn",
+        settings: &[BAFFLES, ("shortcut.withdraw", "followed")],
+    },
     Arm { name: "two baffles, no escape", settings: &[BAFFLES, ("learner.escape_after", "0")] },
     Arm { name: "drift 2 %, default", settings: &[DRIFT] },
     Arm { name: "drift 2 %, no steps aside", settings: &[DRIFT, ("learner.sidestep", "0")] },

@@ -5,14 +5,15 @@ use sonarium_core::experiment::NeuronRef;
 use sonarium_core::geometry::{Pose, wrap_angle};
 use sonarium_core::learner::{
     ActionSource, Adaptation, Aim, Birth, BirthCause, Change, Exploration, Guide, NeuronId, Origin,
-    Outcome, Proposal, Tick, TrialEnd, TrialRecord, Update, Winner,
+    Outcome, Proposal, Tick, TrialEnd, TrialRecord, Update, Verdict, Winner,
 };
 use sonarium_core::perception::Fix;
 use sonarium_core::robot::Contact;
 
 use crate::wire::{
     AdaptationView, AimView, BirthView, ChangeView, ExplorationView, FixView, NeuronView,
-    OutcomeView, PoseView, ProposalView, ReflexView, TickView, Trial, TrialEndView, WinnerView,
+    OutcomeView, PoseView, ProposalView, ReflexView, TickView, Trial, TrialEndView, VerdictView,
+    WinnerView,
 };
 
 /// The names a session's indices stand for.
@@ -135,7 +136,7 @@ impl Names {
             backed_up: end.backed_up.iter().map(ChangeView::from).collect(),
             replaced: end.replaced.iter().map(in_degrees).collect(),
             proposed: end.proposed.iter().map(ProposalView::from).collect(),
-            withdrawn: end.withdrawn.iter().map(|id| id.0).collect(),
+            judged: end.judged.iter().map(VerdictView::from).collect(),
             forgotten: end.forgotten.iter().map(|id| id.0).collect(),
             neurons: neurons.map(|neuron| self.neuron_after(end, &neuron)).collect(),
         }
@@ -212,6 +213,7 @@ impl From<Exploration> for ExplorationView {
             sigma_deg: unit.sigma_deg,
             deviation_deg: unit.deviation_deg,
             drawn_deg: unit.drawn_deg,
+            most_deg: Some(unit.most_deg),
             xi_deg: unit.xi_deg,
         }
     }
@@ -316,6 +318,13 @@ impl From<&Fix> for FixView {
 impl From<&Aim> for AimView {
     fn from(aim: &Aim) -> Self {
         Self { x_m: aim.x_m, y_m: aim.y_m, then: number(aim.then.map(|(_, neuron)| neuron)) }
+    }
+}
+
+impl From<&Verdict> for VerdictView {
+    fn from(verdict: &Verdict) -> Self {
+        let Verdict { neuron, delta, withdrawn } = *verdict;
+        Self { neuron: neuron.0, delta, withdrawn }
     }
 }
 

@@ -132,7 +132,11 @@ pub struct ExplorationView {
     pub deviation_deg: f64,
     /// ξ as drawn, degrees.
     pub drawn_deg: f64,
-    /// ξ clipped to [-T, T], degrees.
+    /// Most that ξ may be, degrees: T(n), or |μ| along a shortcut that turns by more (addition A11); none in logs
+    /// of older programs, where it was T(n).
+    #[serde(default)]
+    pub most_deg: Option<f64>,
+    /// ξ clipped to that, degrees.
     pub xi_deg: f64,
 }
 
@@ -267,13 +271,24 @@ pub struct TrialEndView {
     pub replaced: Vec<ChangeView>,
     /// Shortcuts proposed (addition A1), with their reason.
     pub proposed: Vec<ProposalView>,
-    /// Neurons whose shortcut was followed without a record and is withdrawn (addition A8).
+    /// What came of the shortcuts followed without a record (addition A8).
     #[serde(default)]
-    pub withdrawn: Vec<u32>,
+    pub judged: Vec<VerdictView>,
     /// Neurons deleted (addition D3).
     pub forgotten: Vec<u32>,
     /// All neurons after the trial; centres only where the trial set or moved them.
     pub neurons: Vec<NeuronView>,
+}
+
+/// What came of a shortcut that was followed in a trial without a record (addition A8).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, ToSchema)]
+pub struct VerdictView {
+    /// The neuron whose shortcut it is.
+    pub neuron: u32,
+    /// δ over the way, Eq. (5.19) over several steps; none where it never came back to the record path.
+    pub delta: Option<f64>,
+    /// It is not followed again.
+    pub withdrawn: bool,
 }
 
 /// A place a neuron aims at (addition A1), odometry frame.

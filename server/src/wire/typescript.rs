@@ -33,7 +33,7 @@ fn declarations(config: &Config) -> Vec<String> {
         State, Family, Speed, NamedSpeed, NewSession, Session, Ack, StepRequest, StepUnit, SpeedRequest,
         Trial, Summary, RunResult, Yardstick, PlannedPath, Problem,
         PoseView, TickView, FixView, WinnerView, ReflexView, ExplorationView, AdaptationView, OutcomeView,
-        NeuronView, BirthView, TrialEndView, ChangeView, AimView, ProposalView,
+        NeuronView, BirthView, TrialEndView, ChangeView, AimView, ProposalView, VerdictView,
         StartView, AlteredStartView, ExcursionView, NetworkFile, InputSpans, GoalView,
         ServerMessage, Hello, WorldView, SonarView, CurvePoint, LogEntry,
         ClientMessage, ArenaRequest, ThemeName,

@@ -22,6 +22,22 @@ describe('the equations of a decision', () => {
     expect(numbers(gives)).toBe(expected);
   });
 
+  it('says that a shortcut may turn by more than the temperature', () => {
+    const exploration = {
+      ...sampleTick().exploration,
+      temperature_deg: 10,
+      mean_deg: 30,
+      most_deg: 30,
+    };
+    const found = equations(sampleTick({ exploration }), SETTINGS).find(
+      (each) => each.gives === 'Exploration',
+    );
+    expect(found).toMatchObject({
+      symbols: 'ξ ~ N(μ, s), clipped to [−|μ|, |μ|]',
+      source: '5.12, addition A11',
+    });
+  });
+
   it('says when ξ was clipped', () => {
     const exploration = { ...sampleTick().exploration, drawn_deg: 12, xi_deg: 10 };
     expect(numbers('Exploration', { exploration })).toContain('12.0°, clipped to 10.0°');

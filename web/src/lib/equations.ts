@@ -85,11 +85,12 @@ function split(delta: number, past: number, settings: Settings): Equation {
 
 function exploration(tick: TickView): Equation[] {
   if (tick.source !== 'network') return [];
-  const { temperature_deg, sigma_deg, mean_deg, deviation_deg, drawn_deg, xi_deg } =
+  const { temperature_deg, sigma_deg, mean_deg, deviation_deg, drawn_deg, most_deg, xi_deg } =
     tick.exploration;
   const T = degrees(temperature_deg);
   const u = tick.utility === null ? 'u pending' : number(tick.utility);
   const clipped = Math.abs(drawn_deg - xi_deg) > 1e-9;
+  const sharp = (most_deg ?? temperature_deg) > temperature_deg;
   return [
     {
       gives: 'Spread',
@@ -99,11 +100,11 @@ function exploration(tick: TickView): Equation[] {
     },
     {
       gives: 'Exploration',
-      symbols: 'ξ ~ N(μ, s), clipped to [−T, T]',
+      symbols: `ξ ~ N(μ, s), clipped to ${sharp ? '[−|μ|, |μ|]' : '[−T, T]'}`,
       numbers: `μ = ${degrees(mean_deg)}, s = ${degrees(deviation_deg)}: ${degrees(drawn_deg)}${
         clipped ? `, clipped to ${degrees(xi_deg)}` : ', not clipped'
       }`,
-      source: '5.12, 5.15',
+      source: sharp ? '5.12, addition A11' : '5.12, 5.15',
     },
     {
       gives: 'Action',

@@ -413,7 +413,10 @@ sigma_deg: number,
 deviation_deg: number,
 /** ξ as drawn, degrees. */
 drawn_deg: number,
-/** ξ clipped to [-T, T], degrees. */
+/** Most that ξ may be, degrees: T(n), or |μ| along a shortcut that turns by more (addition A11); none in logs
+ * of older programs, where it was T(n). */
+most_deg: number | null,
+/** ξ clipped to that, degrees. */
 xi_deg: number, };
 
 /** What happened to the past neuron. */
@@ -522,8 +525,8 @@ backed_up: Array<ChangeView>,
 replaced: Array<ChangeView>,
 /** Shortcuts proposed (addition A1), with their reason. */
 proposed: Array<ProposalView>,
-/** Neurons whose shortcut was followed without a record and is withdrawn (addition A8). */
-withdrawn: Array<number>,
+/** What came of the shortcuts followed without a record (addition A8). */
+judged: Array<VerdictView>,
 /** Neurons deleted (addition D3). */
 forgotten: Array<number>,
 /** All neurons after the trial; centres only where the trial set or moved them. */
@@ -563,6 +566,15 @@ step: number,
 straight: number,
 /** Utility there; 0 at the goal. */
 utility: number, };
+
+/** What came of a shortcut that was followed in a trial without a record (addition A8). */
+export type VerdictView = {
+/** The neuron whose shortcut it is. */
+neuron: number,
+/** δ over the way, Eq. (5.19) over several steps; none where it never came back to the record path. */
+delta: number | null,
+/** It is not followed again. */
+withdrawn: boolean, };
 
 /** A pose to start from. */
 export type StartView = {

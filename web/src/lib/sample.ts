@@ -54,6 +54,7 @@ export function sampleTick(changes: Partial<TickView> = {}): TickView {
       sigma_deg: 95.7,
       deviation_deg: 3.4,
       drawn_deg: 5.2,
+      most_deg: 100,
       xi_deg: 5.2,
     },
     source: 'network',

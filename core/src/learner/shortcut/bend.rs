@@ -32,8 +32,7 @@ impl Surveyor<'_> {
         within: &impl Fn(f64) -> Option<f64>,
         straight: Option<Way>,
     ) -> Option<Way> {
-        let gain = self.settings.shortcut_bend_gain;
-        let mut floor = straight.as_ref().map_or(f64::NEG_INFINITY, |way| way.score + gain);
+        let mut floor = straight.as_ref().map_or(f64::NEG_INFINITY, |way| way.score);
         let mut best = straight;
         // The end of a way has to be a place where the robot looked round.
         let ends: Vec<Candidate> =

@@ -99,13 +99,20 @@ fn with_the_way_blocked_the_critic_chooses_among_the_points_in_view() {
 }
 
 #[test]
-fn nothing_is_proposed_beyond_the_temperature() {
+fn only_a_sharp_shortcut_turns_by_more_than_the_temperature() {
     let mut settings = LearnerSettings::from(&Settings::default());
     // Both points in view lie more than 20° to the left of p = 0.
     settings.temperature_max_deg = 20.0;
+    settings.shortcut_sharp = false;
     let found = first(&settings, &[-3.0, -2.0, -0.2], &path(&DETOUR, 0.5)).expect("a bend");
     assert!(found.aim.beyond.is_some() && found.after_deg.abs() <= 20.0, "{found:?}");
     settings.shortcut_bend = false;
+    assert_eq!(first(&settings, &[-3.0, -2.0, -0.2], &path(&DETOUR, 0.5)), None);
+    settings.shortcut_sharp = true;
+    let found = first(&settings, &[-3.0, -2.0, -0.2], &path(&DETOUR, 0.5)).expect("a sharp turn");
+    assert!(found.after_deg.abs() > 20.0, "{found:?}");
+    // Nothing is followed at temperature 0, so nothing is proposed for it.
+    settings.exploit_from = 2;
     assert_eq!(first(&settings, &[-3.0, -2.0, -0.2], &path(&DETOUR, 0.5)), None);
 }
 

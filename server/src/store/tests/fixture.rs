@@ -137,7 +137,7 @@ pub(super) fn trial_end(trial: u32) -> TrialEndView {
         backed_up: vec![ChangeView { neuron: 1, before: 0.1, after: 0.2 }],
         replaced: Vec::new(),
         proposed: Vec::new(),
-        withdrawn: vec![3],
+        judged: vec![VerdictView { neuron: 3, delta: Some(-0.0), withdrawn: true }],
         forgotten: vec![7],
         neurons: Vec::new(),
     }
@@ -175,6 +175,7 @@ pub(super) fn tick(n: u64) -> TickView {
             sigma_deg: 50.0,
             deviation_deg: 1.0,
             drawn_deg: 0.5,
+            most_deg: Some(100.0),
             xi_deg: 0.5,
         },
         source: "network".into(),
