@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 
 use sonarium_core::stats::{Bound, Estimate};
 
+use super::office;
 use super::required::{row, success_pct};
 use super::{Arm, Findings, ReproductionError, Sample, Set, Sets, Target, Unit, curve};
 use crate::catalog::{DEFAULT_TRIALS, MINIMUM_COST_PATH};
@@ -23,6 +24,7 @@ pub static ABLATIONS: Target = Target {
         "Trials needed: the first trial that reaches the goal in at most 1.1 times the steps that the \
          default preset needs in the last trial in that world, in the median; one more than there are \
          where none does",
+        office::READING,
     ],
     rules: &[Bound::RULE],
     experiment: MINIMUM_COST_PATH,
@@ -83,6 +85,10 @@ const ARMS: &[Arm] = &[
         name: "two obstacles, no scouts",
         settings: &[("world", "two-obstacles"), ("learner.scout_from", "0")],
     },
+    Arm {
+        name: "two obstacles, nothing withdrawn",
+        settings: &[("world", "two-obstacles"), ("shortcut.withdraw", "off")],
+    },
     Arm { name: "door of 0.9 m, default", settings: &[("world", "laboratory-narrow-door")] },
     Arm {
         name: "door of 0.9 m, no critic",
@@ -95,10 +101,6 @@ const ARMS: &[Arm] = &[
     Arm { name: "hall with pillars, default", settings: &[PILLARS] },
     Arm { name: "hall with pillars, no bends", settings: &[PILLARS, ("shortcut.bend", "false")] },
     Arm { name: "hall with pillars, no scouts", settings: &[PILLARS, ("learner.scout_from", "0")] },
-    Arm {
-        name: "hall with pillars, no sharper than T(n)",
-        settings: &[PILLARS, ("shortcut.sharp", "false")],
-    },
     Arm { name: "two baffles, default", settings: &[BAFFLES] },
     Arm {
         name: "two baffles, nothing withdrawn",
@@ -133,10 +135,14 @@ const DRIFT: (&str, &str) = ("odometry.drift", "0.02");
 
 fn find(target: &Target, sets: &Sets<'_>) -> Result<Findings, ReproductionError> {
     let mut findings = Findings::default();
-    let mut base: Option<Sample> = None;
+    let mut samples = Vec::with_capacity(target.arms.len());
     for arm in target.arms {
-        let sample = sets.of(target, arm)?;
-        match base.as_ref().filter(|_| !is_default(arm)) {
+        samples.push(sets.of(target, arm)?);
+    }
+    samples.extend(office::samples(target, sets, &office::DIFFERENCES)?);
+    let mut base: Option<Sample> = None;
+    for sample in samples {
+        match base.as_ref().filter(|_| !is_default(&sample.arm)) {
             Some(base) => findings.rows.extend(compared(&sample, base)),
             None => {
                 if base.is_none() {

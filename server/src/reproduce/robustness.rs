@@ -22,8 +22,7 @@ pub static ROBUSTNESS: Target = Target {
         "Success is required in 95 % of the last five trials, and a cost of the last trial at most 15 % \
          above that of the planned path; a capped trial counts with what it had paid until then, and one \
          under drift with the goal where it truly was, not where the robot took it to be",
-        "The pairs in a real office are there when SONARIUM_OFFICE_MAP names the YAML file of the Willow \
-         Garage map of 0.10 m a cell, which is not part of the program",
+        office::READING,
     ],
     rules: &[Bound::RULE],
     experiment: MINIMUM_COST_PATH,
@@ -64,7 +63,7 @@ fn find(target: &Target, sets: &Sets<'_>) -> Result<Findings, ReproductionError>
     for arm in target.arms {
         samples.push(sets.of(target, arm)?);
     }
-    samples.extend(office::samples(target, sets)?);
+    samples.extend(office::samples(target, sets, &office::PAIRS)?);
     for sample in samples {
         let yardstick = yardstick_of(&sample);
         findings.rows.extend(rows(&sample, &yardstick));
