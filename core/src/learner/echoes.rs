@@ -9,6 +9,15 @@ const SLACK_RAD: f64 = 1e-9;
 /// Slack on what is too far off a way to count, metres; far above rounding.
 pub(super) const SLACK_M: f64 = 1e-6;
 
+/// Where in its cone an echo is taken to come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Cone {
+    /// From its axis: what is likely, for plans.
+    Axis,
+    /// From anywhere in it, so from its edges, too: what is possible, for the next step.
+    Whole,
+}
+
 /// How sonars hear.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hearing {
@@ -16,10 +25,11 @@ pub(super) struct Hearing {
     pub(super) range_m: f64,
     /// Full angle of a cone, radians.
     pub(super) cone_rad: f64,
+    /// Where in it an echo comes from.
+    pub(super) cone: Cone,
 }
 
-/// The echoes heard at one believed pose, as points in the odometry frame: each is taken to come from the axis
-/// of its cone.
+/// The echoes heard at one believed pose, as points in the odometry frame.
 #[derive(Clone, Debug)]
 pub(super) struct Echoes<'a> {
     robot: &'a Robot,
@@ -45,11 +55,16 @@ impl<'a> Echoes<'a> {
 
     /// Adds the echoes heard from a pose at less than a range.
     pub(super) fn hear(&mut self, pose: Pose, sonar_m: &Readings, range_m: f64) {
-        let direction = pose.direction();
+        let (direction, half_rad) = (pose.direction(), self.hearing.cone_rad / 2.0);
         for (mount, reading_m) in self.robot.sonars().iter().zip(sonar_m.iter()) {
             if *reading_m < range_m {
                 let place = pose.position() + rotate(mount.place, direction);
-                self.points.push(place + unit(pose.heading_rad + mount.axis_rad) * *reading_m);
+                let axis_rad = pose.heading_rad + mount.axis_rad;
+                let echo = |off_rad: f64| place + unit(axis_rad + off_rad) * *reading_m;
+                self.points.push(echo(0.0));
+                if self.hearing.cone == Cone::Whole {
+                    self.points.extend([echo(-half_rad), echo(half_rad)]);
+                }
             }
         }
     }
@@ -167,6 +182,10 @@ mod tests {
     use super::*;
     use crate::robot::examples::b21;
 
+    fn hearing(range_m: f64, cone: Cone) -> Hearing {
+        Hearing { range_m, cone_rad: 15f64.to_radians(), cone }
+    }
+
     proptest! {
         #[test]
         fn what_lies_beside_a_way_tells_all_that_is_near(
@@ -176,7 +195,7 @@ mod tests {
         ) {
             let robot = b21();
             let readings = [near_m, far_m].map(Readings::from_iter);
-            let hearing = Hearing { range_m: 3.0, cone_rad: 15f64.to_radians() };
+            let hearing = hearing(3.0, Cone::Whole);
             let poses = [Pose::new(0.0, 0.0, 0.3), Pose::new(x, y, heading_rad)];
             let views = [0, 1].map(|k| Echoes::new(&robot, poses[k], &readings[k], hearing));
             let (from, direction) = (Vec2::new(y, x), unit(2.0 * heading_rad));
@@ -199,8 +218,8 @@ mod tests {
         sonar_m[0] = 1.0;
         // Heading north, so the sonar ahead looks along y.
         let pose = Pose::new(1.0, 2.0, FRAC_PI_2);
-        let hearing = Hearing { range_m: 8.0, cone_rad: 15f64.to_radians() };
-        let echoes = Echoes::new(&robot, pose, &sonar_m, hearing);
+        let hearing = |cone| hearing(8.0, cone);
+        let echoes = Echoes::new(&robot, pose, &sonar_m, hearing(Cone::Axis));
         assert!((echoes.free_m(FRAC_PI_2) - 1.0).abs() < 1e-12);
         assert!((echoes.free_m(FRAC_PI_2 + 0.2) - 8.0).abs() < 1e-12, "the sonar to its left");
         assert!((echoes.free_m(-PI) - 8.0).abs() < 1e-12, "the sonar to the west");
@@ -208,8 +227,13 @@ mod tests {
             let found_m = echoes.clearance_m(Vec2::new(1.0, 2.0 + ahead_m));
             assert!((found_m - expected_m).abs() < 1e-12, "{ahead_m}: {found_m}");
         }
+        // From an edge of the cone it would be nearer from afar.
+        let whole = Echoes::new(&robot, pose, &sonar_m, hearing(Cone::Whole));
+        let (radius_m, edge_rad) = (robot.body().reach_m(), 7.5f64.to_radians());
+        let edge_m = (radius_m + edge_rad.cos()).hypot(edge_rad.sin()) - radius_m;
+        assert!((whole.clearance_m(pose.position()) - edge_m).abs() < 1e-12);
         let silent = Readings::from_iter([8.0; 24]);
-        let none = Echoes::new(&robot, pose, &silent, hearing);
+        let none = Echoes::new(&robot, pose, &silent, hearing(Cone::Whole));
         assert!(none.clearance_m(pose.position()).is_infinite());
     }
 }

@@ -1,6 +1,6 @@
 //! The learner's settings and the choices among readings.
 
-use super::echoes::{Echoes, Hearing};
+use super::echoes::{Cone, Echoes, Hearing};
 use super::{InputSettings, NoveltyMetric, Partition, RewardSettings};
 use crate::experiment::Settings;
 use crate::geometry::Pose;
@@ -186,26 +186,16 @@ impl From<&Settings> for LearnerSettings {
 }
 
 impl LearnerSettings {
-    /// What the sonars show at a pose.
+    /// What the sonars show at a pose up to a range in metres; farther echoes are left out.
     pub(super) fn echoes<'a>(
         &self,
         robot: &'a Robot,
         pose: Pose,
         sonar_m: &'a Readings,
-    ) -> Echoes<'a> {
-        self.echoes_within(robot, pose, sonar_m, self.sonar_range_m)
-    }
-
-    /// What the sonars show at a pose up to a range in metres; farther echoes are left out.
-    pub(super) fn echoes_within<'a>(
-        &self,
-        robot: &'a Robot,
-        pose: Pose,
-        sonar_m: &'a Readings,
         range_m: f64,
+        cone: Cone,
     ) -> Echoes<'a> {
-        let hearing =
-            Hearing { range_m: range_m.min(self.sonar_range_m), cone_rad: self.sonar_cone_rad };
-        Echoes::new(robot, pose, sonar_m, hearing)
+        let range_m = range_m.min(self.sonar_range_m);
+        Echoes::new(robot, pose, sonar_m, Hearing { range_m, cone_rad: self.sonar_cone_rad, cone })
     }
 }

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 mod bend;
 
-use super::echoes::{Beside, Echoes};
+use super::echoes::{Beside, Cone, Echoes};
 use super::trial_end::PathStep;
 use super::{Aim, Beyond, Judge, LearnerSettings, Memory, Proposal, annealing};
 use crate::geometry::{Vec2, angle, wrap_angle};
@@ -72,11 +72,12 @@ impl<'a> Surveyor<'a> {
         // begins, and was heard where the robot passed it. Far echoes tell less: a cone blurs their place.
         let near_m = settings.near_echo_m;
         let near = path.iter().flat_map(|step| {
-            settings.echoes_within(robot, step.pose, &step.sonar_m, near_m).into_points()
+            settings.echoes(robot, step.pose, &step.sonar_m, near_m, Cone::Axis).into_points()
         });
         let near = thinned(near);
         let view = |step: &'a PathStep| {
-            let mut view = settings.echoes(robot, step.pose, &step.sonar_m);
+            let all_m = settings.sonar_range_m;
+            let mut view = settings.echoes(robot, step.pose, &step.sonar_m, all_m, Cone::Axis);
             view.add(&near);
             view
         };

@@ -3,7 +3,7 @@
 use super::{Acting, Learner, Situation};
 use crate::control::ReflexTrace;
 use crate::geometry::{Vec2, angle, unit, wrap_angle};
-use crate::learner::echoes::SLACK_M;
+use crate::learner::echoes::{Cone, SLACK_M};
 use crate::learner::memory::Waypoint;
 use crate::learner::trial_end::PathStep;
 use crate::learner::{ActionSource, Aim, Carry, FirstAction, Guide, Neuron, NeuronId, Origin};
@@ -127,7 +127,7 @@ impl Learner {
         let (advance_m, asked_m) = (self.settings.advance_m, self.settings.shortcut_clearance_m);
         let matters_m = self.robot.reading_beyond_m(asked_m + advance_m) + SLACK_M;
         let (pose, sonar_m) = (observation.pose, &observation.sonar_m);
-        let echoes = self.settings.echoes_within(&self.robot, pose, sonar_m, matters_m);
+        let echoes = self.settings.echoes(&self.robot, pose, sonar_m, matters_m, Cone::Axis);
         let step = unit(angle(aim.point() - here)) * advance_m;
         [0.5, 1.0].iter().all(|share| echoes.clearance_m(here + step * *share) >= asked_m)
     }

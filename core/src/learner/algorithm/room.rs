@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::{Learner, Situation};
 use crate::geometry::{Pose, unit, wrap_angle};
-use crate::learner::echoes::{Echoes, SLACK_M};
+use crate::learner::echoes::{Cone, Echoes, SLACK_M};
 
 /// Directions tried lie this far apart, radians: as the sonars of the ring do.
 pub(super) const FAN_RAD: f64 = FRAC_PI_2 / 6.0;
@@ -53,7 +53,7 @@ impl Learner {
         // What no sonar hears up to here is farther than asked for from every place that is looked at.
         let matters_m = self.robot.reading_beyond_m(least_m + advance_m) + SLACK_M;
         let mut echoes =
-            self.settings.echoes_within(&self.robot, pose, &observation.sonar_m, matters_m);
+            self.settings.echoes(&self.robot, pose, &observation.sonar_m, matters_m, Cone::Whole);
         if !self.robot.has_even_ring() {
             for past in self.path.iter().rev().take(REMEMBERED) {
                 echoes.hear(past.pose, &past.sonar_m, NEAR_M);
