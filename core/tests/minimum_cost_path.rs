@@ -207,6 +207,59 @@ fn a_shortcut_is_followed_to_where_it_leads() {
     assert!(bent > 0, "no bend was kept to past a known neuron");
 }
 
+#[test]
+fn only_a_shortcut_turns_by_more_than_the_temperature() {
+    let sharp_steps = |sharp: bool| {
+        // A low temperature, under which many shortcuts are sharp.
+        let low = ("learner.temperature_max", Value::Number(15.0));
+        let settings = with(&[low, ("shortcut.sharp", Value::Switch(sharp))]);
+        let mut count = 0;
+        for seed in 61..64 {
+            let mut experiment =
+                MinimumCostPath::new(laboratory(), b21(), &settings, seed).expect("fits");
+            run(&mut experiment, 20, |tick, _| {
+                let unit = &tick.decision.exploration;
+                assert!(unit.xi_deg.abs() <= unit.most_deg, "tick {}", tick.tick);
+                if unit.most_deg > unit.temperature_deg {
+                    // A11: as far as the shortcut leads, and at temperature 0 nothing is followed.
+                    assert_eq!(unit.most_deg.to_bits(), unit.mean_deg.abs().to_bits());
+                    assert!(tick.decision.aim.is_some() && unit.temperature_deg > 0.0);
+                    count += 1;
+                } else {
+                    assert_eq!(unit.most_deg.to_bits(), unit.temperature_deg.to_bits());
+                }
+            });
+        }
+        count
+    };
+    let (sharp, clipped) = (sharp_steps(true), sharp_steps(false));
+    assert!(sharp > 10 && clipped == 0, "{sharp} sharp steps, {clipped} without A11");
+}
+
+#[test]
+fn only_home_looks_for_bends_and_not_on_a_scout_s_way() {
+    let (mut bends, mut found) = (0, 0);
+    for seed in 71..75 {
+        let mut experiment =
+            MinimumCostPath::new(world("pillars"), b21(), &Settings::default(), seed)
+                .expect("fits");
+        let mut home = None;
+        run(&mut experiment, 8, |tick, end| {
+            if tick.step == 1 {
+                home = tick.decision.neuron;
+            }
+            let Some(end) = end else { return };
+            for proposal in end.proposed.iter().filter(|proposal| proposal.aim.beyond.is_some()) {
+                assert_eq!(Some(proposal.neuron), home, "trial {}", end.record.trial);
+                assert!(!end.record.scout, "trial {} of seed {seed}", end.record.trial);
+                bends += 1;
+            }
+            found += u32::from(end.record.scout && !end.proposed.is_empty());
+        });
+    }
+    assert!(bends > 0 && found > 0, "{bends} bends, {found} ways found by scouts");
+}
+
 /// What a trial's steps were, for the shortcuts it followed.
 struct Followed {
     neuron: NeuronId,
@@ -298,7 +351,10 @@ fn a_shortcut_that_gained_nothing_is_withdrawn() {
 fn at_the_end_only_neurons_of_the_record_path_act() {
     let lossy = ("sonar.critical_angle", Value::Number(25.0));
     let strays = |keep: bool, seed: u64| {
-        let settings = with(&[lossy.clone(), ("learner.keep_to_record", Value::Switch(keep))]);
+        // Without scouts there is one record path, and none is laid aside.
+        let alone = ("learner.scout_from", Value::Integer(0));
+        let keep = ("learner.keep_to_record", Value::Switch(keep));
+        let settings = with(&[lossy.clone(), alone, keep]);
         let mut experiment =
             MinimumCostPath::new(laboratory(), b21(), &settings, seed).expect("fits");
         let (mut path, mut record, mut replaced) = (Vec::new(), Vec::new(), 0);
@@ -315,8 +371,7 @@ fn at_the_end_only_neurons_of_the_record_path_act() {
             }
             if let Some(end) = end {
                 let path = std::mem::take(&mut path);
-                // While a scout looks for another way its own record counts, whatever came before it.
-                if end.record.record || !end.replaced.is_empty() {
+                if end.record.record {
                     record = path;
                     replaced += 1;
                 }

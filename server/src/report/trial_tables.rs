@@ -153,7 +153,7 @@ fn verdict_table(judged: &[VerdictView]) -> Markup {
         }
     };
     let caption = "δ = r + … + r + u where it ended − u where it began: above 0, it cost less than the record \
-                   path; none where it never came back to that path";
+                   path; none where it began off that path or never came back to it";
     html! {
         h3 { "Shortcuts followed without a record, addition A8" }
         @if judged.is_empty() {

@@ -285,7 +285,7 @@ pub struct TrialEndView {
 pub struct VerdictView {
     /// The neuron whose shortcut it is.
     pub neuron: u32,
-    /// δ over the way, Eq. (5.19) over several steps; none where it never came back to the record path.
+    /// δ over the way, Eq. (5.19) over several steps; none where it began off the record path or never came back to it.
     pub delta: Option<f64>,
     /// It is not followed again.
     pub withdrawn: bool,

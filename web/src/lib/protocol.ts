@@ -571,7 +571,7 @@ utility: number, };
 export type VerdictView = {
 /** The neuron whose shortcut it is. */
 neuron: number,
-/** δ over the way, Eq. (5.19) over several steps; none where it never came back to the record path. */
+/** δ over the way, Eq. (5.19) over several steps; none where it began off the record path or never came back to it. */
 delta: number | null,
 /** It is not followed again. */
 withdrawn: boolean, };
