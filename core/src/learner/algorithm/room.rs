@@ -80,3 +80,50 @@ impl Learner {
         aside.map(|by_rad| wrap_angle(heading_rad + by_rad)).find(|turned| room.is_free(*turned))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::control::Reflex;
+    use crate::experiment::Settings;
+    use crate::geometry::Vec2;
+    use crate::learner::{LearnerSettings, Observation};
+    use crate::rng::{Purpose, stream};
+    use crate::robot::{Contact, Readings, examples::b21};
+
+    #[test]
+    fn an_echo_may_come_from_the_edge_of_its_cone() {
+        let (settings, robot) = (Settings::default(), Arc::new(b21()));
+        let learner = Learner::new(
+            LearnerSettings::from(&settings),
+            Arc::clone(&robot),
+            Reflex::new(settings.reflex(), robot.sonars()),
+            1,
+            Vec2::new(3.0, 0.0),
+            stream(1, 0, Purpose::Exploration),
+        );
+        let least_m = 0.15;
+        let is_free = |reading_m: f64| {
+            let mut sonar_m = Readings::from_iter([8.0; 24]);
+            // 30° to the left of the way.
+            sonar_m[2] = reading_m;
+            let pose = Pose::default();
+            let observation = Observation { sonar_m, pose, region: 0, contact: Contact::None };
+            let situation = learner.situate(&observation);
+            learner.room(&situation, least_m).is_free(0.0)
+        };
+        let radius_m = robot.body().reach_m();
+        let end = Vec2::new(learner.settings.advance_m, 0.0);
+        let clearance_m = |reading_m: f64, edge_deg: f64| {
+            let place = unit(30f64.to_radians()) * radius_m;
+            let echo = place + unit((30.0 + edge_deg).to_radians()) * reading_m;
+            (echo - end).norm() - radius_m
+        };
+        // From the axis there would be room, from the near edge there is none; and 5 cm farther there is.
+        assert!(clearance_m(0.32, 0.0) > least_m && clearance_m(0.32, -7.5) < least_m);
+        assert!(!is_free(0.32));
+        assert!(clearance_m(0.37, -7.5) > least_m && is_free(0.37));
+    }
+}
