@@ -61,7 +61,7 @@ crate::settings! {
         temperature_min_deg: f64 = 10.0, "learner.temperature_min" [0.0, 360.0] "deg", Literal, "Eq. (5.17), T_min", "Temperature it cools to";
         carried_temperature_deg: f64 = 100.0, "learner.carried_temperature" [0.0, 360.0] "deg", Addition, "continual learning", "Temperature of the first trial of a run that begins with trained networks";
         cooling: f64 = 0.8, "learner.cooling" [0.0, 1.0] "", Literal, "Eq. (5.17), β", "Share of the temperature kept from trial to trial";
-        exploit_from: u32 = 18, "learner.exploit_from" [0.0, 100_000.0] "trial", Deviation, "D4; Eq. (5.17)", "Trial from which the temperature is 0 and the best path is replayed; 0: never; tuned in the laboratory";
+        exploit_from: u32 = 18, "learner.exploit_from" [0.0, 100_000.0] "trial", Deviation, "D4; Eq. (5.17)", "Trial from which the temperature is 0 and the best path is replayed; 0: never; tuned";
         sigma_scale: f64 = 0.05, "learner.sigma_scale" [0.0, 1.0] "", Deviation, "D1; Eq. (5.14)", "Share of σ that is used; 1 is literal";
         deviation: Deviation = Deviation::Half, "learner.sigma_reading" "", Reading, "Eq. (5.12)", "Standard deviation of the draw for a given σ";
         draw: Draw = Draw::Step, "learner.draw" "", Literal, "Algorithm 9", "How long a draw of the stochastic unit holds";

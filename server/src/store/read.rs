@@ -18,6 +18,9 @@ const MOST_CHUNK_BYTES: u64 = 256 << 20;
 /// A record starts with its opcode and its length.
 const HEAD_BYTES: u64 = 1 + 8;
 
+/// What the record at the end of the data holds.
+const CHECKSUM_BYTES: u64 = 4;
+
 /// Opens a whole log, finished or cut off. Memory stays at one chunk, however long the log is.
 pub fn read_log(path: &Path) -> Result<LogReader, StoreError> {
     LogReader::open(path)
@@ -140,11 +143,14 @@ impl Blocks {
             let Some(record) = self.next_raw()? else { break };
             let messages = match record[0] {
                 op::CHUNK | op::MESSAGE | op::CHANNEL => self.messages_of(&record)?,
-                op::DATA_END => {
+                op::DATA_END if record.len() as u64 == HEAD_BYTES + CHECKSUM_BYTES => {
                     self.ended = true;
                     break;
                 }
-                _ => continue,
+                _ => {
+                    check_passed(&record).map_err(|reason| self.damaged(&reason))?;
+                    continue;
+                }
             };
             if messages.is_empty() {
                 continue;
@@ -182,10 +188,17 @@ impl Blocks {
     }
 
     fn pass_message_indexes(&mut self) -> Result<(), StoreError> {
-        while let Some((op::MESSAGE_INDEX, length)) = self.next_head()? {
-            self.skip_to(self.position + HEAD_BYTES + length)?;
+        let mut end = self.position;
+        while let Some((op::MESSAGE_INDEX, _)) = self.next_head()? {
+            self.skip_to(self.position)?;
+            let record = self.next_raw()?.unwrap_or_default();
+            if check_passed(&record).is_err() {
+                break;
+            }
+            end = self.position;
         }
-        self.skip_to(self.position)
+        // What is no index is looked at again, as a record of its own.
+        self.skip_to(end)
     }
 
     fn messages_of(&self, record: &[u8]) -> Result<Vec<RawMessage>, StoreError> {
@@ -271,6 +284,24 @@ fn messages_in(mut record: &[u8]) -> Result<Vec<RawMessage>, McapError> {
     Ok(messages)
 }
 
+/// Whether a record may be passed over. A chunk must not be, whatever damage makes its opcode.
+fn check_passed(record: &[u8]) -> Result<(), String> {
+    let opcode = record.first().copied().unwrap_or_default();
+    let body = record.get(HEAD_BYTES as usize..).unwrap_or_default();
+    let is_whole = match opcode {
+        // Channel, bytes of what follows, and that: nothing else is so long as it says.
+        op::MESSAGE_INDEX => body.get(2..6).is_some_and(|length| {
+            let length = length.iter().rev().fold(0, |sum, byte| sum << 8 | usize::from(*byte));
+            length + 6 == body.len()
+        }),
+        op::HEADER | op::SCHEMA | op::ATTACHMENT | op::METADATA => {
+            parse_record(opcode, body).is_ok()
+        }
+        _ => return Err(format!("a record of kind {opcode:#04x} stands there")),
+    };
+    is_whole.then_some(()).ok_or_else(|| format!("a record of kind {opcode:#04x} is broken"))
+}
+
 /// MCAP allows a chunk without a checksum; this program writes none.
 fn demand_checksum(chunk: &[u8]) -> Result<(), McapError> {
     let body = chunk.get(HEAD_BYTES as usize..).ok_or(McapError::UnexpectedEof)?;
@@ -295,6 +326,9 @@ fn check_ours(record: &Record<'_>) -> Result<(), McapError> {
             Some(topic) if topic.name() == channel.topic => Ok(()),
             _ => Err(McapError::ConflictingChannels(channel.topic.clone())),
         },
+        Record::Message { header, .. } if Topic::from_number(header.channel_id).is_none() => {
+            Err(McapError::UnknownChannel(header.sequence, header.channel_id))
+        }
         _ => Ok(()),
     }
 }

@@ -79,6 +79,23 @@ fn a_damaged_log_gives_what_comes_before_the_damage_and_says_where_it_is() {
 }
 
 #[test]
+fn a_chunk_is_never_passed_over_for_something_else() {
+    let (bytes, ends) = log_bytes();
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let all = run(60);
+    for changed in 1..=255 {
+        let mut damaged = bytes.clone();
+        damaged[ends[1] as usize] ^= changed;
+        let (records, error) = read_bytes(folder.path(), &damaged);
+        assert_eq!(records, all[..records.len()], "changed by {changed:#04x}");
+        let Some(StoreError::Damaged { offset, .. }) = error else {
+            panic!("changed by {changed:#04x}: {error:?}")
+        };
+        assert_eq!(offset, ends[1]);
+    }
+}
+
+#[test]
 fn other_files_are_not_logs() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut foreign = Vec::new();
