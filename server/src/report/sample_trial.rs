@@ -34,7 +34,12 @@ fn proposal(neuron: u32) -> ProposalView {
         neuron,
         before: 0.0,
         after: -4.5 + f64::from(neuron % 5),
-        aim: AimView { x_m: 3.62, y_m: -0.42, then: Some(neuron + 4) },
+        aim: AimView {
+            x_m: 3.62,
+            y_m: -0.42,
+            beyond_m: (neuron == 64).then_some([4.16, -0.75]),
+            then: Some(neuron + 4),
+        },
         step: neuron - 60,
         straight: -0.8,
         utility: -0.21 * f64::from(88 - neuron),

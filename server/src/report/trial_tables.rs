@@ -105,12 +105,13 @@ fn change_table(
 
 /// The shortcuts: which later point, and what the critic expects of it.
 fn proposal_table(proposals: &[ProposalView]) -> Markup {
-    const HEADINGS: [Heading; 7] = [
+    const HEADINGS: [Heading; 8] = [
         numbers("Neuron", ""),
         numbers("Aims at step", "of the record path"),
         numbers("x", "m"),
         numbers("y", "m"),
-        numbers("Straight there", "reinforcement"),
+        words("Bends there for"),
+        numbers("Driving there", "reinforcement"),
         numbers("u there", "utility"),
         numbers("μ", "deg"),
     ];
@@ -121,14 +122,15 @@ fn proposal_table(proposals: &[ProposalView]) -> Markup {
                 (number(proposal.step.to_string()))
                 (number(fixed(proposal.aim.x_m, 2)))
                 (number(fixed(proposal.aim.y_m, 2)))
+                td { (bend(proposal.aim.beyond_m)) }
                 (number(fixed(proposal.straight, 3)))
                 (number(fixed(proposal.utility, 3)))
                 (number(fixed(proposal.after, 1)))
             }
         }
     };
-    let caption = "The later point in view with the greatest predicted return: reinforcement of \
-                   driving straight there, plus the utility there";
+    let caption = "The later point with the greatest predicted return: reinforcement of driving there, straight \
+                   or, from home, with one bend, plus the utility there";
     html! {
         h3 { "Shortcuts proposed, addition A1" }
         @if proposals.is_empty() {
@@ -137,6 +139,14 @@ fn proposal_table(proposals: &[ProposalView]) -> Markup {
             (table("shortcuts", caption, &HEADINGS, rows))
         }
     }
+}
+
+/// Where a way leads on that bends.
+fn bend(beyond_m: Option<[f64; 2]>) -> String {
+    beyond_m.map_or_else(
+        || NOTHING.to_owned(),
+        |[x_m, y_m]| format!("{}, {}", fixed(x_m, 2), fixed(y_m, 2)),
+    )
 }
 
 /// What came of the shortcuts that were followed without a record.

@@ -317,7 +317,9 @@ impl From<&Fix> for FixView {
 
 impl From<&Aim> for AimView {
     fn from(aim: &Aim) -> Self {
-        Self { x_m: aim.x_m, y_m: aim.y_m, then: number(aim.then.map(|(_, neuron)| neuron)) }
+        let beyond_m = aim.after_bend().map(|end| [end.x_m, end.y_m]);
+        let then = number(aim.then.map(|(_, neuron)| neuron));
+        Self { x_m: aim.x_m, y_m: aim.y_m, beyond_m, then }
     }
 }
 
@@ -345,5 +347,21 @@ impl From<&Proposal> for ProposalView {
 impl From<&Change> for ChangeView {
     fn from(change: &Change) -> Self {
         Self { neuron: change.neuron.0, before: change.before, after: change.after }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use sonarium_core::learner::Beyond;
+
+    use super::*;
+
+    #[test]
+    fn an_aim_tells_both_legs_of_a_way_that_bends() {
+        let straight = Aim { x_m: 2.0, y_m: -1.0, beyond: None, then: Some((1, NeuronId(40))) };
+        let expected = AimView { x_m: 2.0, y_m: -1.0, beyond_m: None, then: Some(40) };
+        assert_eq!(AimView::from(&straight), expected);
+        let bent = Aim { beyond: Some(Beyond { x_m: 4.0, y_m: 0.5 }), ..straight };
+        assert_eq!(AimView::from(&bent), AimView { beyond_m: Some([4.0, 0.5]), ..expected });
     }
 }

@@ -285,7 +285,8 @@ pub struct TrialEndView {
 pub struct VerdictView {
     /// The neuron whose shortcut it is.
     pub neuron: u32,
-    /// δ over the way, Eq. (5.19) over several steps; none where it began off the record path or never came back to it.
+    /// δ over the way, Eq. (5.19) over several steps; none where it began off the record path or never came back
+    /// to it.
     pub delta: Option<f64>,
     /// It is not followed again.
     pub withdrawn: bool,
@@ -298,7 +299,10 @@ pub struct AimView {
     pub x_m: f64,
     /// Metres.
     pub y_m: f64,
-    /// Neuron in charge there on the record path; none at the goal.
+    /// Where the way leads on from there, metres, if it bends there (addition A3).
+    #[serde(default)]
+    pub beyond_m: Option<[f64; 2]>,
+    /// Neuron in charge at its end on the record path; none at the goal.
     pub then: Option<u32>,
 }
 

@@ -64,12 +64,19 @@ describe('a decision in words', () => {
   });
 
   it('tells what led the robot past its neuron', () => {
-    const aim = { x_m: 2, y_m: -1, then: 40 };
+    const aim = { x_m: 2, y_m: -1, beyond_m: null, then: 40 };
     expect(told({ source: 'bend', aim })[2]).toBe(
       'Past neuron 17 the robot kept to the way that bends, to (2.00, −1.00) m, where neuron 40 takes over: turn 12.8° right, then advance',
     );
     expect(told({ source: 'pursuit', toward_m: [1.5, -0.25] })[2]).toBe(
       'Neuron 17 is not of the record path; the robot went back to it, for (1.50, −0.25): turn 12.8° right, then advance',
+    );
+  });
+
+  it('tells of both legs of a way that bends', () => {
+    const aim = { x_m: 2, y_m: -1, beyond_m: [4, 0.5] as [number, number], then: 40 };
+    expect(told({ aim })[2]).toBe(
+      'Neuron 17 drove along a shortcut to (2.00, −1.00) m and from there to (4.00, 0.50) m, where neuron 40 takes over: turn 12.8° right, then advance',
     );
   });
 

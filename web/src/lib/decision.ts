@@ -98,10 +98,12 @@ function action(tick: TickView): string {
   return `Neuron ${tick.neuron} drove: ${turn}`;
 }
 
-/** Where a shortcut leads: the point, and who is in charge there. */
-function place({ x_m, y_m, then }: AimView): string {
-  const point = `(${number(x_m)}, ${number(y_m)}) m`;
-  return then === null ? `the goal at ${point}` : `${point}, where neuron ${then} takes over`;
+/** Where a shortcut leads: the point, the one after it if it bends there, and who is in charge at its end. */
+function place({ x_m, y_m, beyond_m, then }: AimView): string {
+  const first = `${point([x_m, y_m])} m`;
+  if (then === null) return `the goal at ${first}`;
+  const bend = beyond_m ? ` and from there to ${point(beyond_m)} m` : '';
+  return `${first}${bend}, where neuron ${then} takes over`;
 }
 
 /** A rotation as a person would say it. */

@@ -547,7 +547,9 @@ export type AimView = {
 x_m: number,
 /** Metres. */
 y_m: number,
-/** Neuron in charge there on the record path; none at the goal. */
+/** Where the way leads on from there, metres, if it bends there (addition A3). */
+beyond_m: [number, number] | null,
+/** Neuron in charge at its end on the record path; none at the goal. */
 then: number | null, };
 
 /** A shortcut proposed at the end of a record trial (addition A1), and why. */
@@ -571,7 +573,8 @@ utility: number, };
 export type VerdictView = {
 /** The neuron whose shortcut it is. */
 neuron: number,
-/** δ over the way, Eq. (5.19) over several steps; none where it began off the record path or never came back to it. */
+/** δ over the way, Eq. (5.19) over several steps; none where it began off the record path or never came back
+ * to it. */
 delta: number | null,
 /** It is not followed again. */
 withdrawn: boolean, };
