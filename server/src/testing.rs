@@ -59,6 +59,13 @@ impl House {
         &self.app.lab
     }
 
+    /// Changes what is stored behind the laboratory's back.
+    pub(crate) fn tamper(&self, sql: &str) {
+        let file = self.folder.path().join("sonarium.sqlite");
+        let database = rusqlite::Connection::open(file).expect("the index opens");
+        database.execute_batch(sql).expect("a good statement");
+    }
+
     /// The same folder after a restart of the server.
     pub(crate) async fn restart(self) -> Self {
         self.app.lab.close().await;

@@ -134,6 +134,29 @@ impl Catalog {
         }
     }
 
+    /// The same to read what a session did: settings that this program does not have, or takes no more at their
+    /// values, are left at their defaults. To run it, [`Self::restore`] is right.
+    ///
+    /// # Errors
+    /// When this program no longer knows its experiment or its world.
+    pub fn restore_to_read(
+        &self,
+        row: &SessionRow,
+        network: Option<&str>,
+    ) -> Result<Job, FieldError> {
+        let mut row = row.clone();
+        loop {
+            let error = match self.restore(&row, network) {
+                Ok(job) => return Ok(job),
+                Err(error) => error,
+            };
+            let known = error.field.strip_prefix("settings.");
+            if known.and_then(|key| row.settings.remove(key)).is_none() {
+                return Err(error);
+            }
+        }
+    }
+
     /// Fills a request for a robot's experiment up: defaults, then the preset, then what was given.
     ///
     /// # Errors

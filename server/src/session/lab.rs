@@ -380,6 +380,7 @@ impl Lab {
         desks: &mut BTreeMap<String, Desk>,
         row: SessionRow,
     ) -> Result<Sender<Command>, LabError> {
+        self.check_runs(&row)?;
         let id = row.id.clone();
         let checkpoint = self.store().checkpoint(&id)?.is_some();
         let feed = self.open_feed(desks, row)?;
@@ -453,9 +454,19 @@ impl Lab {
         Ok(feed)
     }
 
+    /// Refuses what this program can read and not run, before anything is changed.
+    fn check_runs(&self, row: &SessionRow) -> Result<(), LabError> {
+        let network = self.store().network(&row.id)?;
+        let job = self.catalog().restore(row, network.as_deref());
+        job.map(drop).map_err(|FieldError { field, message }| {
+            let made = format!("made by Sonarium {} and can be read, not run", row.build);
+            FieldError::new(field, format!("{message}; the session was {made}")).into()
+        })
+    }
+
     fn restore(&self, row: &SessionRow) -> Result<Job, LabError> {
         let network = self.store().network(&row.id)?;
-        Ok(self.catalog().restore(row, network.as_deref())?)
+        Ok(self.catalog().restore_to_read(row, network.as_deref())?)
     }
 
     fn row(&self, id: &str) -> Result<SessionRow, LabError> {

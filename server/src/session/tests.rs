@@ -1,5 +1,6 @@
 //! The laboratory as a whole: controls, waiting, mishaps.
 
+use axum::http::StatusCode;
 use serde_json::json;
 
 use crate::session::{Control, ControlError};
@@ -173,6 +174,38 @@ async fn a_reset_puts_the_log_aside_and_begins_anew() {
     }
     let folder = house.lab().store().session_folder(&id);
     assert!(folder.join("log-1.mcap").exists() && folder.join("log-2.mcap").exists());
+}
+
+#[tokio::test]
+async fn a_session_with_settings_that_are_gone_is_read_and_not_run() {
+    let house = House::new();
+    let id = house.session(3, MAX);
+    house.control(&id, TRIAL).await;
+    house.until_state(&id, State::Paused).await;
+    house.control(&id, Stop).await;
+    house.tamper(
+        "UPDATE session SET build = '0.0.9', settings =
+         json_set(settings, '$.\"shortcut.gone\"', 0.2, '$.\"shortcut.withdraw\"', json('true'))",
+    );
+    let house = house.restart().await;
+    let path = format!("/api/v1/sessions/{id}");
+    for read in
+        ["", "/trials", "/report.json", "/report.html", "/trials/1/report.html", "/arena.png"]
+    {
+        let answer = house.get(&format!("{path}{read}")).await;
+        assert_eq!(answer.status, StatusCode::OK, "{read}: {}", answer.json());
+    }
+    // What it ran with is told as it was.
+    let session = house.get(&path).await.json();
+    assert_eq!(session["settings"]["shortcut.gone"], 0.2);
+    for control in ["/resume", "/reset"] {
+        let answer = house.post(&format!("{path}{control}"), json!({})).await;
+        assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY, "{control}");
+        let problem = answer.json();
+        assert_eq!(problem["field"], "settings.shortcut.gone", "{problem}");
+        let detail = problem["detail"].as_str().unwrap_or_default();
+        assert!(detail.ends_with("made by Sonarium 0.0.9 and can be read, not run"), "{detail}");
+    }
 }
 
 #[tokio::test]
