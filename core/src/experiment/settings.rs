@@ -90,8 +90,8 @@ crate::settings! {
         near_echo_m: f64 = 0.3, "shortcut.near_echoes" [0.0, 10.0] "m", Addition, "A7, tuned", "Echoes heard from nearer than this anywhere on the record path count for every shortcut; 0: none do";
         shortcut_withdraw: Withdrawal = Withdrawal::Losing, "shortcut.withdraw" "", Addition, "A8; Eq. (5.19) over several steps", "Which of the shortcuts that a trial without a record followed are withdrawn";
         keep_to_record: bool = true, "learner.keep_to_record" "", Addition, "A9", "At temperature 0 a neuron that is not of the record path goes back to it, as a new one does";
-        shortcut_sharp: bool = true, "shortcut.sharp" "", Addition, "A11; Eq. (5.15)", "A shortcut may turn by more than the temperature";
         odometry_correction: bool = true, "odometry.correction" "", Addition, "A10", "Correct an odometry that errs by what the sonars heard in the same places before; needs an even ring of sonars";
+        shortcut_sharp: bool = true, "shortcut.sharp" "", Addition, "A11; Eq. (5.15)", "A shortcut may turn by more than the temperature";
     }
 }
 

@@ -416,10 +416,12 @@ impl Learner {
     }
 
     /// Most that `ξ` may be, degrees.
+    ///
+    /// NOTE (A11): Eq. (5.15) clips every action to T(n). A shortcut is no guess of the stochastic unit but was
+    /// looked at beforehand, and the corners that late trials would cut ask for more.
     fn most_deg(&self, acting: &Acting, mean_deg: f64) -> f64 {
         let temperature_deg = self.temperature_deg();
         let aims = acting.aim.is_some() && temperature_deg > 0.0;
-        // A11: a shortcut may turn by more than the temperature.
         if aims && self.settings.shortcut_sharp {
             temperature_deg.max(mean_deg.abs())
         } else {

@@ -93,8 +93,7 @@ impl<'a> Surveyor<'a> {
         if temperature_deg <= 0.0 {
             return Vec::new();
         }
-        // NOTE (A11): Eq. (5.15) would clip what turns by more than the next temperature. Corners that late
-        // trials would cut ask for more.
+        // Eq. (5.15) would clip what turns by more than the next temperature, but for A11.
         let sharp = self.settings.shortcut_sharp;
         let most_deg = if sharp { f64::INFINITY } else { temperature_deg };
         let proposal = |t| Some((t, self.propose(t, most_deg)?));

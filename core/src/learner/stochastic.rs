@@ -37,7 +37,7 @@ pub(super) fn explore(
     } else {
         mean_deg
     };
-    // Eq. (5.15): -T(n) ≤ ξ ≤ T(n)
+    // Eq. (5.15): -T(n) ≤ ξ ≤ T(n); along a shortcut as far as that turns (A11)
     let xi_deg = drawn_deg.clamp(-most_deg, most_deg);
     Exploration { temperature_deg, mean_deg, sigma_deg, deviation_deg, drawn_deg, most_deg, xi_deg }
 }

@@ -86,6 +86,23 @@ fn the_trial_page_is_whole_and_has_its_parts() {
 }
 
 #[test]
+fn the_trial_page_tells_where_shortcuts_bend_and_what_came_of_them() {
+    let page = trial_html(&sample_trial::trial_report());
+    assert_eq!(page.matches("<td>4.16, −0.75</td>").count(), 1, "one way bends");
+    let (_, verdicts) = page.split_once("class=\"verdicts\"").expect("a table of verdicts");
+    let (verdicts, _) = verdicts.split_once("</table>").expect("its end");
+    let told: Vec<&str> = verdicts.split("<tr>").skip(2).collect();
+    for (row, (neuron, delta, came)) in told.iter().zip([
+        (">66<", ">−0.214<", ">withdrawn<"),
+        (">71<", ">–<", ">withdrawn<"),
+        (">75<", ">0.087<", ">kept<"),
+    ]) {
+        assert!([neuron, delta, came].iter().all(|text| row.contains(text)), "{row}");
+    }
+    assert_eq!(told.len(), 3);
+}
+
+#[test]
 fn pages_need_nothing_from_elsewhere_and_run_nothing() {
     let pages = [html(&sample::session_report()), trial_html(&sample_trial::trial_report())];
     for page in pages {

@@ -20,13 +20,15 @@ pub(super) const MAP: &str = "SONARIUM_OFFICE_MAP";
 #[derive(Clone, Copy)]
 pub(super) struct Pair {
     arm: Arm,
+    /// Name of the way, whatever it is driven with.
+    way: &'static str,
     home: [f64; 3],
     goal: [f64; 2],
 }
 
 impl Pair {
     const fn new(name: &'static str, home: [f64; 3], goal: [f64; 2]) -> Self {
-        Self { arm: Arm { name, settings: &[] }, home, goal }
+        Self { arm: Arm { name, settings: &[] }, way: name, home, goal }
     }
 
     /// The same way under other settings.
@@ -64,8 +66,8 @@ pub(super) const DIFFERENCES: [Pair; 7] = [
 ];
 
 /// What a target says of them.
-pub(super) const READING: &str = "The pairs in a real office are there when SONARIUM_OFFICE_MAP names the YAML file of the Willow \
-     Garage map of 0.10 m a cell, which is not part of the program";
+pub(super) const READING: &str = "The pairs in a real office are there when SONARIUM_OFFICE_MAP names the YAML file of the \
+     Willow Garage map of 0.10 m a cell, which is not part of the program";
 
 /// Radius of the goals, that of section 5.3, metres.
 const GOAL_RADIUS_M: f64 = 0.5;
@@ -89,7 +91,7 @@ impl Pair {
     /// The map as a world of one region, with this home and goal.
     fn world(&self, map: &WorldFile) -> Result<NamedWorld, ReproductionError> {
         let [x, y, heading_deg] = self.home;
-        let name: String = self.arm.name.split(", ").take(2).collect::<Vec<_>>().join("-");
+        let name = self.way.replace(", ", "-");
         let file = WorldFile {
             name: name.clone(),
             home: HomeFile { x, y, heading_deg },
